@@ -1,0 +1,1 @@
+"""Outputs: one file a kind, from a performance to bytes."""

@@ -1,0 +1,1 @@
+"""The play: what a script means, before times are solved."""

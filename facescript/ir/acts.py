@@ -1,0 +1,252 @@
+"""What a play does: one class a verb, and the blocks that order them in time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from facescript.ir.values import Aim, Amount, AtCamera, Mix, Moment
+from facescript.text import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """`over T for T back in T ease NAME`; None is the verb's own default."""
+
+    over: Amount | None = None
+    lasting: Amount | None = None
+    back: Amount | None = None
+    ease: str | None = None
+
+
+GazeParts = Literal["eyes then head", "head then eyes", "eyes only", "head only"]
+
+
+@dataclass(frozen=True, slots=True)
+class GazeManner:
+    """How the parts take part in a look. `head_share` is `head 40%`; `speed` scales both; `latency` delays the start."""
+
+    parts: GazeParts = "eyes then head"
+    head_share: Amount | None = None
+    speed: Amount = 1.0
+    latency: Amount = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    aim: Aim
+    manner: GazeManner = GazeManner()
+    timing: Timing = Timing()
+
+
+@dataclass(frozen=True, slots=True)
+class Glance:
+    """There and back; `timing.lasting` is half a second unless said."""
+
+    aim: Aim
+    manner: GazeManner = GazeManner()
+    timing: Timing = Timing()
+
+
+@dataclass(frozen=True, slots=True)
+class Scan:
+    """Fixate each of a crowd (`crowd` is a target's name or "people"), `dwell` seconds each."""
+
+    crowd: str
+    dwell: Amount
+    order: Literal["in order", "nearest first", "at random"] = "in order"
+    manner: GazeManner = GazeManner()
+
+
+@dataclass(frozen=True, slots=True)
+class Show:
+    """The base expression becomes `mix`."""
+
+    mix: Mix
+    timing: Timing = Timing()
+
+
+@dataclass(frozen=True, slots=True)
+class Add:
+    """`mix` is laid on top until it is dropped, or for `timing.lasting`."""
+
+    mix: Mix
+    timing: Timing = Timing()
+
+
+@dataclass(frozen=True, slots=True)
+class Drop:
+    """Whatever bears `name` (a term of a show or add, or a statement's label) lets go."""
+
+    name: str
+    timing: Timing = Timing()
+
+
+@dataclass(frozen=True, slots=True)
+class Gesture:
+    """A movement that comes back by itself; `mix` is its pose at the far point, `timing.lasting` its length."""
+
+    kind: Literal["nod", "shake", "tilt", "blink", "wink"]
+    degree: Amount
+    mix: Mix
+    timing: Timing = Timing()
+
+
+@dataclass(frozen=True, slots=True)
+class Voice:
+    """How a line sounds: `language` as espeak-ng names it, `variant` (female, male or a voice's), factors of 1."""
+
+    language: str = "en-us"
+    variant: str = ""
+    rate: float = 1.0
+    pitch: float = 1.0
+    volume: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Cue:
+    """A statement started inside a line: at the `nth` word that is `word` (an `on`), or before the character `at` of
+    the line's plain text (an inline cue), which ends at the character `until` if that is not None."""
+
+    body: Block
+    word: str | None = None
+    nth: int = 1
+    at: int | None = None
+    until: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause" or "reading".
+
+    `value` is a pause's seconds as text or a reading as written; a breath and a pause have start == end.
+    """
+
+    kind: Literal["stress", "breath", "pause", "reading"]
+    start: int
+    end: int
+    value: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Say:
+    """A line: its text without marks, the marks, the voice, and what happens on its words."""
+
+    text: str
+    voice: Voice
+    stretches: tuple[Stretch, ...] = ()
+    cues: tuple[Cue, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    duration: Amount
+
+
+@dataclass(frozen=True, slots=True)
+class WaitUntil:
+    moment: Moment
+
+
+@dataclass(frozen=True, slots=True)
+class SetBackground:
+    """The picture behind: a colour `#rrggbb[aa]`, or a picture's path inside the project."""
+
+    colour: str | None
+    picture: str | None
+    over: Amount = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """The camera: on `face` (None: all) at `zoom`, over `over` seconds."""
+
+    face: str | None
+    zoom: Amount = 1.0
+    over: Amount = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Life:
+    """What a living face does unasked. Knobs by name in base units (`blink` 1/min, `sway` 1, `saccades` 1/min,
+    `avert` 1, `brows` 1/min, `nods` 1); `name` is the preset it grew from, `announcer` has its own statistics."""
+
+    name: str
+    knobs: tuple[tuple[str, Amount], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SetLife:
+    life: Life
+    over: Amount = 0.0
+
+
+Verb = (
+    Look | Glance | Scan | Show | Add | Drop | Gesture | Say | Wait | WaitUntil | SetBackground | View | SetLife
+)
+
+# ------------------------------------------------------------------------------------------------ blocks
+
+
+@dataclass(frozen=True, slots=True)
+class Do:
+    """One act of one face (None: of the scene), with the label an author gave it."""
+
+    verb: Verb
+    face: str | None
+    label: str | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    """One after another; times count from its start where `clock` is set (a scene, an action, a pass of a repeat)."""
+
+    items: tuple[Node, ...]
+    span: Span
+    clock: bool = False
+    label: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Together:
+    items: tuple[Node, ...]
+    span: Span
+    label: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Choose:
+    """One of its items, by the seed."""
+
+    items: tuple[Node, ...]
+    span: Span
+    label: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat:
+    """`body` again and again: `times` passes, or for `lasting` seconds, or for ever (both None)."""
+
+    body: Sequence
+    times: int | None
+    lasting: Amount | None
+    span: Span
+    label: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class At:
+    """`body` at a moment, beside the sequence it stands in."""
+
+    moment: Moment
+    body: Block
+    span: Span
+    label: str | None = None
+
+
+Node = Do | Sequence | Together | Choose | Repeat | At
+Block = Sequence
+
+
+CAMERA = AtCamera()

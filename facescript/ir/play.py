@@ -1,0 +1,128 @@
+"""The play: a script with every name, unit and default resolved, the library's definitions unfolded; times still open."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from facescript.ir.acts import Life, SetBackground, Sequence, View, Voice
+from facescript.ir.values import Amount, PicturePlace, Point
+from facescript.text import Span
+
+MAIN = "main"
+"""The scene's name where a script has none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Film:
+    """What the outputs are like. `screen` is the fraction of the true angle at which near targets are looked at."""
+
+    width: int = 1280
+    height: int = 720
+    fps: float = 30.0
+    seed: int = 0
+    long: float | None = None
+    screen: float = 1 / 3
+    wide_cm: float = 50.0
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """A face: what draws it, its voice, its life, where it stands (None: in the row), its size, its looks by name."""
+
+    name: str
+    kind: str
+    voice: Voice
+    life: Life
+    span: Span
+    gaze: Literal["", "eye-mover", "head-mover"] = ""
+    place: PicturePlace | None = None
+    size: float = 1.0
+    looks: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def seen(self) -> bool:
+        return self.kind != "unseen"
+
+
+@dataclass(frozen=True, slots=True)
+class FixedTarget:
+    name: str
+    place: Point | PicturePlace
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class MovingTarget:
+    """Key places by time from the scene's start; smooth between, still before and after."""
+
+    name: str
+    times: tuple[float, ...]
+    places: tuple[Point, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Crowd:
+    """Several places; members may be named targets."""
+
+    name: str
+    members: tuple[Point | PicturePlace | str, ...]
+    span: Span
+
+
+Target = FixedTarget | MovingTarget | Crowd
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """A scene: the faces in it, what is set before it begins, and its block. Every scene starts neutral."""
+
+    name: str
+    faces: tuple[str, ...]
+    body: Sequence
+    span: Span
+    background: SetBackground | None = None
+    view: View | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class EventPattern:
+    """What a reaction waits for: `kind` is heard, touched, key, signal, arrives, leaves or nearest; `text` the words
+    of the first four; `binds` the name a person gets."""
+
+    kind: str
+    text: str = ""
+    binds: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Reaction:
+    event: EventPattern
+    body: Sequence
+    ending: Literal["resume", "restart", "stop"]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """A scripted event, `time` seconds from the film's start; `person` is the target that arrives or leaves."""
+
+    kind: str
+    time: Amount
+    span: Span
+    text: str = ""
+    person: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Play:
+    film: Film
+    faces: tuple[Face, ...]
+    targets: tuple[Target, ...]
+    scenes: tuple[Scene, ...]
+    reactions: tuple[Reaction, ...] = ()
+    events: tuple[Event, ...] = ()
+    background: SetBackground | None = None
+    view: View | None = None
+    lives: tuple[tuple[str, Life], ...] = field(default=())

@@ -1,0 +1,1 @@
+"""Channels, easing and sampling."""

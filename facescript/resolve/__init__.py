@@ -1,0 +1,1 @@
+"""A script to a play: names, units, the library, checks."""

@@ -1,0 +1,15 @@
+"""Where the grammar and the library lie: inside the installed package, or beside it in a checkout."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+
+@cache
+def folder(name: str) -> Path:
+    """The folder `grammar` or `stdlib`."""
+    package = Path(str(files("facescript")))
+    installed = package / "_data" / name
+    return installed if installed.is_dir() else package.parent / name

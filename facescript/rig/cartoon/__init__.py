@@ -1,0 +1,1 @@
+"""The cartoon rig: the woman and the man."""

@@ -1,0 +1,1 @@
+"""A play to a score: when each act starts, settles and ends."""

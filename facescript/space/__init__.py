@@ -1,0 +1,1 @@
+"""Where faces and targets are, and how long gaze takes to get there."""

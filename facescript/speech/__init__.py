@@ -1,0 +1,1 @@
+"""Texts to sound, words, phonemes and mouth shapes."""

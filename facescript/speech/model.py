@@ -1,0 +1,56 @@
+"""What a spoken line is: sound, and when its words and phonemes are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from facescript.ir.acts import Say
+
+
+@dataclass(frozen=True, slots=True)
+class WordTime:
+    """A word of the line: its stretch of the plain text (characters), and seconds from the line's start."""
+
+    text: str
+    first: int
+    last: int
+    start: float
+    end: float
+
+
+@dataclass(frozen=True, slots=True)
+class PhoneTime:
+    """A phoneme (IPA; "" is silence) or, for Mandarin, a syllable's mouth shape; seconds from the line's start."""
+
+    symbol: str
+    start: float
+    end: float
+    stress: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Spoken:
+    """A line as sound: mono samples (16-bit little-endian bytes) at `rate` Hz, words, phones, seconds.
+
+    `estimated` lines have times but no sound: no voice was started for them.
+    """
+
+    pcm: bytes
+    rate: int
+    duration: float
+    words: tuple[WordTime, ...]
+    phones: tuple[PhoneTime, ...]
+    estimated: bool = False
+
+
+class VoiceBox(Protocol):
+    """Turns lines into speech."""
+
+    def speak(self, line: Say) -> Spoken:
+        """The line spoken. Raises `VoiceFailure` where the voice does not exist or cannot run."""
+        ...
+
+
+class VoiceFailure(Exception):
+    """A voice that does not exist or cannot run; `args[0]` is a sentence for the author."""

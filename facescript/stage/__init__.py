@@ -1,0 +1,1 @@
+"""Faces, background and view to layers of the picture over time."""

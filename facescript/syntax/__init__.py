@@ -1,0 +1,1 @@
+"""Text to a tree, and back in one layout."""
