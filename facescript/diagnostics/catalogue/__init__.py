@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from facescript.diagnostics.catalogue.command import COMMAND
 from facescript.diagnostics.catalogue.files import FILES
 from facescript.diagnostics.catalogue.gaze import GAZE
 from facescript.diagnostics.catalogue.later import LATER
@@ -15,7 +16,7 @@ from facescript.diagnostics.model import Diagnostic, Fix, Related
 from facescript.text import Span
 
 CATALOGUE: dict[str, Entry] = {
-    entry.code: entry for family in (SYNTAX, NAMES, VALUES, TIME, SPEECH, GAZE, FILES, LATER) for entry in family
+    entry.code: entry for family in (SYNTAX, NAMES, VALUES, TIME, SPEECH, GAZE, FILES, LATER, COMMAND) for entry in family
 }
 
 

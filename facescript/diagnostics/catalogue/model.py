@@ -14,6 +14,8 @@ class Entry:
 
     `files` are further files that both scripts may read (`use`, `repeat NAME in "x.csv"`); `stage` is the command
     that reports the code for `bad`; `good` gives no diagnostic of this code. `why` is a line or two for the manual.
+    At the stage "command", `bad` is `script.face` and `command` the words after `facescript` that give the code;
+    "unforced" codes report faults of the machine that no example can bring about.
     """
 
     code: str
@@ -25,3 +27,4 @@ class Entry:
     why: str = ""
     stage: str = "check"
     files: Mapping[str, str] = field(default_factory=dict)
+    command: tuple[str, ...] = ()
