@@ -53,4 +53,9 @@ class VoiceBox(Protocol):
 
 
 class VoiceFailure(Exception):
-    """A voice that does not exist or cannot run; `args[0]` is a sentence for the author."""
+    """A line that cannot be spoken; `args[0]` is a clause for the author, `code` the diagnostic that carries it as
+    its `reason`: FS501 for a voice that does not exist or cannot run, other codes for faults of the text."""
+
+    def __init__(self, reason: str, code: str = "FS501") -> None:
+        super().__init__(reason)
+        self.code = code

@@ -1,7 +1,39 @@
-"""Codes FS5xx, texts, voices and words."""
+"""Codes FS5xx, texts, voices and words; each tells the `reason` of a `VoiceFailure`."""
 
 from __future__ import annotations
 
 from facescript.diagnostics.catalogue.model import Entry
+from facescript.diagnostics.model import Severity
 
-SPEECH: tuple[Entry, ...] = ()
+SPEECH: tuple[Entry, ...] = (
+    Entry(
+        "FS501",
+        "voice-failed",
+        Severity.ERROR,
+        "The voice cannot speak this line: {reason}.",
+        'face ada = woman, voice en-uk\n\nsay "Hello."\n',
+        'face ada = woman, voice en-gb\n\nsay "Hello."\n',
+        "The voice does not exist, cannot run on this machine, or cannot speak as fast, slow, high or low as it is told. "
+        "`facescript list voices` shows the voices there are.",
+        stage="build",
+    ),
+    Entry(
+        "FS502",
+        "reading-unspeakable",
+        Severity.ERROR,
+        "This reading cannot be spoken: {reason}.",
+        'face mei = woman, voice cmn\n\nsay "他[read zhong3]长[/]大了。"\n',
+        'face mei = woman, voice cmn\n\nsay "他[read zhang3]长[/]大了。"\n',
+        "A reading is pinyin with tone numbers, a syllable a character, for Mandarin; kana for Japanese; `/IPA/` in the "
+        "sounds of the voice's language, or another spelling, for every other language.",
+    ),
+    Entry(
+        "FS503",
+        "nothing-to-say",
+        Severity.ERROR,
+        "There is nothing to say in this line: {reason}.",
+        'say "..."\n',
+        'say "Hello."\n',
+        "A line needs a letter or a number. A pause without words is `wait`.",
+    ),
+)
