@@ -24,7 +24,7 @@ GazeParts = Literal["eyes then head", "head then eyes", "eyes only", "head only"
 
 @dataclass(frozen=True, slots=True)
 class GazeManner:
-    """How the parts take part in a look. `head_share` is `head 40%`; `speed` scales both; `latency` delays the start."""
+    """How the parts take part in a look: `head_share` is `head 40%`, `speed` scales both, `latency` is a delay."""
 
     parts: GazeParts = "eyes then head"
     head_share: Amount | None = None
@@ -181,16 +181,21 @@ class SetLife:
     over: Amount = 0.0
 
 
-Verb = (
-    Look | Glance | Scan | Show | Add | Drop | Gesture | Say | Wait | WaitUntil | SetBackground | View | SetLife
-)
+Verb = Look | Glance | Scan | Show | Add | Drop | Gesture | Say | Wait | WaitUntil | SetBackground | View | SetLife
 
 # ------------------------------------------------------------------------------------------------ blocks
 
 
 @dataclass(frozen=True, slots=True)
 class Do:
-    """One act of one face (None: of the scene), with the label an author gave it."""
+    """One act of one face (None: of the scene), with the label an author gave it.
+
+    A label is a full name, and a `Mark` bears the same string: `opening.hello` in the scene `opening`, `hello` in a
+    script without scenes, `trials.7.cued` in the seventh pass of the scene's `repeat NAME in ...`, `opening.greet.2.bow`
+    in the second call of the action `greet` there, `when.3.bye` in the third reaction; in a second `repeat` of one
+    scene `trials.repeat2.7.cued`. In the body of a `Repeat` a `*` stands for the pass's number (`opening.*.cued`), one
+    for each `Repeat` around it, outermost first; `in_pass` fills them.
+    """
 
     verb: Verb
     face: str | None
@@ -243,6 +248,13 @@ class At:
     body: Block
     span: Span
     label: str | None = None
+
+
+def in_pass(label: str, passes: tuple[int, ...]) -> str:
+    """A label or a mark's label with the numbers (from 1) of the `Repeat` passes around it, outermost first."""
+    for number in passes:
+        label = label.replace("*", str(number), 1)
+    return label
 
 
 Node = Do | Sequence | Together | Choose | Repeat | At

@@ -1,11 +1,11 @@
-"""The play: a script with every name, unit and default resolved, the library's definitions unfolded; times still open."""
+"""The play: a script with names, units and defaults resolved and the library unfolded; its times are still open."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from typing import Literal
 
-from facescript.ir.acts import Life, SetBackground, Sequence, View, Voice
+from facescript.ir.acts import Life, Sequence, SetBackground, View, Voice
 from facescript.ir.values import Amount, PicturePlace, Point
 from facescript.text import Span
 

@@ -21,7 +21,8 @@ Amount = float | Draw
 class Mark:
     """A place on the clock of something named: `hello.end`, `hello."cup".2.end`, `trials.7.cued.start`.
 
-    `label` is the full name inside its scene or action (`Label.name`); `word` is the spoken word, `nth` from 1.
+    `label` is the full name as `Do.label` bears it (see `ir.acts.Do` for the scheme and for `*` in the body of a
+    `Repeat`); `word` is the spoken word as written, `nth` from 1 (`ir.wording.find` says where it is in the line).
     """
 
     label: str
@@ -117,7 +118,8 @@ class Driver:
 class Term:
     """One term of a sum: an expression, FACS unit, muscle or channel with its degree (negative where subtracted).
 
-    `name` is as an author writes it (`smile`, `smile.left`, `AU6`, `head.roll`): `drop` finds terms by it.
+    `name` is as an author writes it (`smile`, `smile.left`, `AU6`, `head.roll`): `drop` finds terms by it. No two
+    drivers of a term bear one name, and their values are plain numbers; only the degree may be drawn.
     """
 
     name: str
