@@ -27,15 +27,7 @@ class World:
 
     def source(self, name: str) -> Source:
         """A script of the project by its path relative to the root. Raises `WorldFailure`."""
-        data = self.read(name, LARGEST_SCRIPT)
-        if b"\0" in data:
-            raise WorldFailure("it is not text")
-        try:
-            text = data.decode("utf-8-sig")
-        except UnicodeDecodeError as fault:
-            line = data.count(b"\n", 0, fault.start) + 1
-            raise WorldFailure(f"it is not UTF-8: byte 0x{data[fault.start]:02x} in line {line}") from None
-        return Source(name, text.replace("\r\n", "\n").replace("\r", "\n"))
+        return Source(name, decode(self.read(name, LARGEST_SCRIPT)))
 
     def read(self, name: str, largest: int = LARGEST_FILE) -> bytes:
         """The bytes of a file of the project. Raises `WorldFailure`."""
@@ -70,3 +62,15 @@ class World:
         """The scripts of the standard library, in the order of their names."""
         paths = sorted(folder("stdlib").glob("*.face"))
         return tuple(Source(f"stdlib/{path.name}", path.read_text("utf-8")) for path in paths)
+
+
+def decode(data: bytes) -> str:
+    """A script's bytes as text with plain line ends. Raises `WorldFailure` where they are not UTF-8 text."""
+    if b"\0" in data:
+        raise WorldFailure("it is not text")
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as fault:
+        line = data.count(b"\n", 0, fault.start) + 1
+        raise WorldFailure(f"it is not UTF-8: byte 0x{data[fault.start]:02x} in line {line}") from None
+    return text.replace("\r\n", "\n").replace("\r", "\n")

@@ -1,0 +1,89 @@
+"""What an output is made from: one performance, its picture and sound when asked for, and the stretch of time wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.ir.play import Play
+from facescript.motion.perform import perform
+from facescript.performance.performance import Performance
+from facescript.schedule.score import Score
+from facescript.speech.mix import soundtrack
+
+if TYPE_CHECKING:
+    from facescript.stage.stage import Stage
+
+Progress = Callable[[int, int], None]
+"""Called with (done, total) as frames are made."""
+
+Sound = tuple[NDArray[np.int16], int]
+"""Mono samples and their rate in Hz."""
+
+
+class JobFailure(Exception):
+    """An output that cannot be made; `args[0]` is a clause for the author."""
+
+
+def quiet(done: int, total: int) -> None:
+    """A progress that shows nothing."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """A film to be put out, seconds `start` to `end` of it, or the one moment `at`.
+
+    `pictures` reads a background picture's bytes by its path in the project; `jobs` is how many processes draw.
+    """
+
+    play: Play
+    score: Score
+    pictures: Callable[[str], bytes]
+    start: float
+    end: float
+    at: float | None = None
+    jobs: int = 1
+    progress: Progress = quiet
+
+    @cached_property
+    def performance(self) -> Performance:
+        return perform(self.score)
+
+    @cached_property
+    def stage(self) -> Stage:
+        from facescript.stage.stage import Stage
+
+        return Stage(self.score, self.performance, self.pictures)
+
+    @cached_property
+    def sound(self) -> Sound:
+        """The soundtrack of the whole film."""
+        return soundtrack(self.score)
+
+    @property
+    def fps(self) -> float:
+        return self.score.film.fps
+
+    @property
+    def heard(self) -> Sound:
+        """The soundtrack from `start` to `end`, exactly that long."""
+        samples, rate = self.sound
+        first, last = round(self.start * rate), round(self.end * rate)
+        cut = samples[first:last]
+        return np.pad(cut, (0, last - first - len(cut))), rate
+
+    def times(self) -> NDArray[np.float64]:
+        """The frames' moments: every 1/fps from `start`, up to but not at `end`; or the one moment `at`."""
+        if self.at is not None:
+            return np.array([self.at])
+        count = max(1, int(np.ceil((self.end - self.start) * self.fps - 1e-9)))
+        return self.start + np.arange(count) / self.fps
+
+    def moment(self, at: float) -> Job:
+        """The same job for one moment."""
+        return replace(self, at=at)

@@ -1,0 +1,16 @@
+"""The resolved play and its solved times to `.json`, by the schema that `ir.json_form` gives."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from facescript.backends.job import Job
+from facescript.ir.json_form import dump
+from facescript.schedule.explain import as_objects, explain
+
+
+def write_json(job: Job, path: Path) -> None:
+    """An object of `play` (the schema's form) and `times` (what `explain --json` prints)."""
+    whole = {"play": json.loads(dump(job.play)), "times": as_objects(explain(job.score))}
+    path.write_text(json.dumps(whole, ensure_ascii=False, indent=1) + "\n", "utf-8", newline="\n")

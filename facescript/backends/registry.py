@@ -1,0 +1,54 @@
+"""Which suffix is made by which function: the outputs of this version, and those that plug-ins bring."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import TYPE_CHECKING, cast
+
+if TYPE_CHECKING:
+    from facescript.backends.job import Job
+
+GROUP = "facescript.backends"
+"""Entry points of this group add outputs: name = suffix without its dot, value = `module:function(job, path)`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Backend:
+    """An output: its suffix, where its function is, one line of help, and whether it can make one moment."""
+
+    suffix: str
+    target: str
+    help: str
+    still: bool = False
+
+    def load(self) -> Callable[[Job, Path], None]:
+        module, _, function = self.target.partition(":")
+        return cast("Callable[[Job, Path], None]", getattr(import_module(module), function))
+
+
+BACKENDS = (
+    Backend(".svg", "facescript.backends.svg:write_svg", "animated picture with sound, plays in any browser", True),
+    Backend(".mp4", "facescript.backends.film:write_mp4", "film, H.264 and AAC"),
+    Backend(".webm", "facescript.backends.film:write_webm", "film, VP9 and Opus"),
+    Backend(".gif", "facescript.backends.film:write_gif", "looping picture without sound"),
+    Backend(".png", "facescript.backends.stills:write_png", "one moment (--at), or a numbered picture a frame", True),
+    Backend(".csv", "facescript.backends.tables:write_csv", "table: time and every channel"),
+    Backend(".jsonl", "facescript.backends.tables:write_jsonl", "lines of JSON: time and every channel"),
+    Backend(".wav", "facescript.backends.wav:write_wav", "the sound alone"),
+    Backend(".json", "facescript.backends.play:write_json", "the resolved play and its solved times"),
+)
+
+LATER = (".html", ".vtt", ".srt")
+"""Suffixes the language reserves and this version refuses by name."""
+
+
+def backends() -> dict[str, Backend]:
+    """All outputs by suffix; a plug-in cannot take the place of one of ours."""
+    found = {backend.suffix: backend for backend in BACKENDS}
+    for entry in entry_points(group=GROUP):
+        found.setdefault(f".{entry.name}", Backend(f".{entry.name}", entry.value, f"from {entry.value}"))
+    return found

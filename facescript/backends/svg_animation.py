@@ -1,0 +1,160 @@
+"""A stage over time to key frames of outlines and opacities, each within half a pixel of the performance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.backends.job import Job
+from facescript.backends.svg_keys import Swing
+from facescript.backends.svg_path import path_text
+from facescript.performance.channels import CHANNELS
+from facescript.rig.picture import Shape
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+QUANTUM = 0.25
+"""Pixels: coordinates are whole multiples of it. Measured: the smallest files at the same half pixel."""
+
+OFF = 0.5 / math.sqrt(2)
+"""Pixels a coordinate may be off, so that a point is at most half a pixel away."""
+
+SHADE = 0.02
+"""The smallest step of opacity worth a number."""
+
+TICK = 0.004
+"""Seconds: all key times are whole multiples of it."""
+
+STEP = 4
+"""Ticks between two moments looked at where nothing is quick."""
+
+BEFORE = 1e-6
+"""Seconds: how shortly before a jump the picture is looked at."""
+
+CHUNK = 128
+"""Moments drawn at once."""
+
+BEND = {"deg": 0.25, "cm": 0.02, "1": 0.006}
+"""How far a channel may bend away from a straight line within STEP ticks before the moments between are looked at."""
+
+HEAD_BEND = 0.04
+"""The same for head angles, deg: the whole face hangs on them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """Key frames of one attribute: times in seconds from the start, and the attribute's text at each."""
+
+    times: tuple[float, ...]
+    values: tuple[str, ...]
+
+    @property
+    def still(self) -> bool:
+        return len(set(self.values)) == 1
+
+
+@dataclass(frozen=True, slots=True)
+class Animation:
+    """Outline and opacity of every shape over time; `scale` turns the outlines' numbers into pixels."""
+
+    outlines: tuple[Track, ...]
+    opacities: tuple[Track, ...]
+    scale: float = QUANTUM
+
+
+def animate(job: Job, shapes: tuple[Shape, ...]) -> Animation:
+    """The key frames of a job's stretch. Memory holds a chunk of frames and the keys found."""
+    columns = [_columns(shape) for shape in shapes]
+    order = np.concatenate(columns)
+    starts = np.cumsum([0] + [2 * len(column) for column in columns[:-1]])
+    outlines = Swing(starts, 2 * len(order), OFF / QUANTUM)
+    shades = Swing(np.arange(len(shapes)), len(shapes), 1.0)
+    moments = _moments(job)
+    for number, (time, points, opacity) in enumerate(_frames(job, moments)):
+        row = points[order].ravel() / QUANTUM
+        feed = (Swing.push, Swing.begin)[number == 0]
+        feed(outlines, time, row)
+        feed(shades, time, opacity / SHADE)
+        job.progress(number + 1, len(moments))
+    outlines.finish()
+    shades.finish()
+    return Animation(
+        tuple(_outline(keys, shape, job.start) for keys, shape in zip(outlines.keys, shapes, strict=True)),
+        tuple(_shade(keys, job.start) for keys in shades.keys),
+    )
+
+
+def _columns(shape: Shape) -> Ints:
+    """The rows of the point array that a shape's contours use, in turn."""
+    return np.concatenate([np.arange(contour.first, contour.first + contour.count) for contour in shape.contours])
+
+
+def _frames(job: Job, moments: Floats) -> Iterator[tuple[float, Floats, Floats]]:
+    for first in range(0, len(moments), CHUNK):
+        chunk = moments[first : first + CHUNK]
+        drawn = job.stage.frames(chunk)
+        yield from zip(chunk.tolist(), drawn.points, drawn.opacity, strict=True)
+
+
+def _outline(keys: list[tuple[float, Ints]], shape: Shape, start: float) -> Track:
+    lengths = tuple(contour.count for contour in shape.contours)
+    texts = tuple(path_text(values.reshape(-1, 2), lengths) for _, values in keys)
+    return Track(tuple(time - start for time, _ in keys), texts)
+
+
+def _shade(keys: list[tuple[float, Ints]], start: float) -> Track:
+    texts = tuple(f"{min(max(values[0] * SHADE, 0.0), 1.0):.2f}".rstrip("0").rstrip(".") for _, values in keys)
+    return Track(tuple(time - start for time, _ in keys), texts)
+
+
+def _moments(job: Job) -> Floats:
+    """The moments to look at: every STEP ticks, every tick where a channel bends, both sides of every jump."""
+    if job.at is not None:
+        return np.array([job.at])
+    last = max(1, round((job.end - job.start) / TICK))
+    ticks = np.arange(0, -(-last // STEP) * STEP + 1)
+    bent = np.repeat(_bent(job, ticks), STEP)
+    chosen = (ticks % STEP == 0) | np.append(bent, False)
+    times = job.start + ticks[chosen & (ticks <= last)] * TICK
+    jumps = _jumps(job)
+    return np.unique(np.concatenate([times, jumps, jumps - BEFORE]))
+
+
+def _bent(job: Job, ticks: Ints) -> NDArray[np.bool_]:
+    """For each stretch of STEP ticks, whether any channel leaves the straight line across it by its BEND."""
+    found = np.zeros(len(ticks) // STEP, dtype=bool)
+    limit = _limits(len(job.performance.faces))
+    for first in range(0, len(found), 500):
+        rows = ticks[first * STEP : (first + 500) * STEP + 1]
+        values = job.performance.sample(job.start + rows * TICK)
+        count = (len(rows) - 1) // STEP
+        ends = values[:: STEP][: count + 1]
+        for part in range(1, STEP):
+            inner = values[part::STEP][:count]
+            line = ends[:-1] + (ends[1:] - ends[:-1]) * (part / STEP)
+            found[first : first + count] |= (np.abs(inner - line) > limit).any(axis=1)
+    return found
+
+
+def _limits(faces: int) -> Floats:
+    """The BEND of every column of a sample."""
+    one = [HEAD_BEND if name.startswith("head") and unit == "deg" else BEND[unit] for name, unit in _units()]
+    return np.array(one * faces)
+
+
+def _units() -> list[tuple[str, str]]:
+    return [(channel.name, channel.unit) for channel in CHANNELS]
+
+
+def _jumps(job: Job) -> Floats:
+    """Moments at which the picture may jump: scenes, and acts that take no time."""
+    scenes = [scene.start for scene in job.score.scenes]
+    sudden = [act.start for act in job.score.acts if act.settled == act.start]
+    ends = [act.released for act in job.score.acts if act.end == act.released < math.inf]
+    inside = {time for time in scenes + sudden + ends if job.start < time < job.end}
+    return np.array(sorted(inside))

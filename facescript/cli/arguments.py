@@ -1,0 +1,91 @@
+"""The words of every command: one row a command, one function that adds its options."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from dataclasses import dataclass
+
+LATER = ("preview", "live", "lsp")
+"""Commands of the language's design that this version refuses by name."""
+
+LISTS = ("faces", "expressions", "actions", "muscles", "channels", "voices", "backends", "lives", "words")
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """A command: its module in this package, its line of help, and what it takes."""
+
+    module: str
+    help: str
+    options: Callable[[argparse.ArgumentParser], None]
+
+
+def _script(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("script", metavar="SCRIPT", help="a .face file, or - for standard input")
+
+
+def _settings(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="give a `let` another value")
+    parser.add_argument("--seed", metavar="N", help="the seed of all chance")
+    parser.add_argument("--events", metavar="FILE", help="a file of `event` lines, added to the script's")
+
+
+def _build(parser: argparse.ArgumentParser) -> None:
+    _script(parser)
+    parser.add_argument("-o", "--output", action="append", default=[], metavar="OUT", help="the suffix chooses; repeat")
+    parser.add_argument("--as", dest="kind", metavar="KIND", help="the kind where the output is - (svg, csv, ...)")
+    _settings(parser)
+    parser.add_argument("--size", metavar="WxH", help="the picture's size, 1280x720")
+    parser.add_argument("--fps", metavar="N", help="frames a second; for tables, rows a second")
+    parser.add_argument("--from", dest="start", metavar="TIME", help="begin there, 2s")
+    parser.add_argument("--to", dest="end", metavar="TIME", help="end there, 5s")
+    parser.add_argument("--at", metavar="TIME", help="one moment only: a still")
+    parser.add_argument("--jobs", metavar="N", help="how many processes draw")
+    parser.add_argument("--draft", action="store_true", help="half the size, for a quick look")
+    parser.add_argument("--quiet", action="store_true", help="no progress")
+
+
+def _check(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("scripts", nargs="+", metavar="SCRIPT", help=".face files, or - for standard input")
+    parser.add_argument("--json", action="store_true", help="a list of objects instead of text")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="give a `let` another value")
+
+
+def _explain(parser: argparse.ArgumentParser) -> None:
+    _script(parser)
+    _settings(parser)
+    parser.add_argument("--json", action="store_true", help="the same as objects")
+
+
+def _fmt(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("scripts", nargs="+", metavar="SCRIPT", help=".face files, or - for standard input")
+    parser.add_argument("--check", action="store_true", help="change nothing; exit 1 where a file is not in the layout")
+
+
+def _list(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("what", choices=LISTS, help="what to list")
+
+
+def _new(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("name", metavar="NAME", help="the new script's name")
+
+
+COMMANDS = {
+    "build": Command("build", "make films, pictures, tables and sound from a script", _build),
+    "check": Command("check", "say what is wrong with scripts", _check),
+    "explain": Command("explain", "show the solved times: when each act starts, settles and ends", _explain),
+    "fmt": Command("fmt", "put scripts into the one layout", _fmt),
+    "list": Command("list", "list what there is: faces, expressions, voices, ...", _list),
+    "new": Command("new", "write a starter script", _new),
+}
+
+
+def parser(version: str) -> argparse.ArgumentParser:
+    """The whole command line."""
+    top = argparse.ArgumentParser("facescript", description="A small language for faces, and its compiler.")
+    top.add_argument("--version", action="version", version=f"facescript {version}")
+    commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    for name, command in COMMANDS.items():
+        command.options(commands.add_parser(name, help=command.help, description=command.help.capitalize() + "."))
+    return top

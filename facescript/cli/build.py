@@ -1,0 +1,105 @@
+"""`facescript build`: a script to its outputs, each whole in its place or none at all."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from facescript.backends.job import Job, JobFailure
+from facescript.backends.numbered import is_numbered
+from facescript.backends.output import Outputs, outputs
+from facescript.backends.registry import LATER, Backend, backends
+from facescript.cli.project import STANDARD
+from facescript.cli.progress import Progress
+from facescript.cli.report import FAULTS, OptionFault, refuse, show
+from facescript.cli.script import compile_named
+from facescript.cli.settings import count, seconds
+from facescript.compile import Compiled
+from facescript.world import World, WorldFailure
+
+
+def run(options: argparse.Namespace) -> int:
+    """0 made, 1 faults (nothing is written then). Raises `OptionFault`."""
+    wanted = [(target, _backend(target, options.kind)) for target in _targets(options)]
+    _fit(options, wanted)
+    try:
+        compiled, world = compile_named(options)
+    except WorldFailure as fault:
+        return refuse("FS901", name=options.script, reason=fault.args[0])
+    code = show(compiled.diagnostics)
+    if compiled.score is None or compiled.play is None:
+        return code or FAULTS
+    return _make(_job(options, compiled, world), wanted, options.quiet)
+
+
+def _targets(options: argparse.Namespace) -> list[str]:
+    """The outputs asked for; a film beside the script where none is."""
+    if options.output:
+        return list(options.output)
+    return [STANDARD if options.script == STANDARD else str(Path(options.script).with_suffix(".mp4"))]
+
+
+def _backend(target: str, kind: str | None) -> Backend:
+    suffix = f".{(kind or '').lstrip('.')}" if target == STANDARD else Path(target).suffix.lower()
+    known = backends()
+    names = ", ".join(known)
+    if suffix in LATER:
+        raise OptionFault("FS910", suffix=suffix, known=names)
+    if suffix not in known:
+        raise OptionFault("FS902", suffix=suffix if suffix != "." else target, known=names)
+    return known[suffix]
+
+
+def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None:
+    """Options that some output cannot take are an error before any work is done."""
+    for _, backend in wanted:
+        if options.at is not None and not backend.still:
+            raise OptionFault("FS905", option="--at", fitting=".png and .svg", suffix=backend.suffix)
+
+
+def _job(options: argparse.Namespace, compiled: Compiled, world: World) -> Job:
+    """The stretch and the manner of the film. Raises `OptionFault` where nothing lies in the stretch."""
+    play, score = compiled.play, compiled.score
+    assert play is not None and score is not None
+    if options.draft:
+        film = replace(play.film, width=play.film.width // 4 * 2, height=play.film.height // 4 * 2)
+        play, score = replace(play, film=film), replace(score, film=film)
+    start = seconds("--from", options.start) or 0.0
+    end = min(seconds("--to", options.end) or score.duration, score.duration)
+    at = seconds("--at", options.at)
+    if start >= end or (at is not None and at > score.duration):
+        raise OptionFault("FS906", start=start if at is None else at, end=end if at is None else at,
+                          duration=score.duration)  # fmt: skip
+    jobs = count("--jobs", options.jobs, "2") if options.jobs else 1
+    return Job(play, score, world.read, start, end, at, max(1, jobs))
+
+
+def _make(job: Job, wanted: list[tuple[str, Backend]], silent: bool) -> int:
+    target = ""
+    try:
+        with outputs() as batch:
+            for target, backend in wanted:
+                with Progress(target, silent) as progress:
+                    _write(replace(job, progress=progress.step), target, backend, batch)
+    except JobFailure as fault:
+        return refuse("FS907", path=target, reason=fault.args[0])
+    except OSError as fault:
+        return refuse("FS903", path=target, reason=fault.strerror or "it cannot be written")
+    return 0
+
+
+def _write(job: Job, target: str, backend: Backend, batch: Outputs) -> None:
+    write = backend.load()
+    if target == STANDARD:
+        with batch.aside(backend.suffix) as path:
+            write(job, path)
+            sys.stdout.buffer.write(path.read_bytes())
+            sys.stdout.buffer.flush()
+    elif is_numbered(target):
+        for number, time in enumerate(job.times().tolist(), start=1):
+            write(job.moment(time), batch.place(Path(target % number)))
+            job.progress(number, len(job.times()))
+    else:
+        write(job, batch.place(Path(target)))

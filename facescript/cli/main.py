@@ -1,0 +1,61 @@
+"""The command line's words to one command's module; imports nothing heavy, so that help is quick."""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import sys
+from importlib import import_module
+from types import FrameType
+from typing import NoReturn
+
+from facescript import __version__
+from facescript.cli.arguments import COMMANDS, LATER, parser
+
+INTERRUPTED = 130
+"""The exit code of a build that was interrupted."""
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; returns its exit code: 0 done, 1 faults in the script, 2 cannot run."""
+    words = sys.argv[1:] if arguments is None else arguments
+    if words and words[0] in LATER:
+        return _later(words[0])
+    options = parser(__version__).parse_args(words)
+    signal.signal(signal.SIGTERM, _terminated)
+    try:
+        return _run(options)
+    except KeyboardInterrupt:
+        print("facescript: interrupted; nothing was written", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 1
+
+
+def _run(options: argparse.Namespace) -> int:
+    module = import_module(f"facescript.cli.{COMMANDS[options.command].module}")
+    try:
+        code: int = module.run(options)
+    except Exception as fault:
+        from facescript.cli.report import OptionFault, refuse_option
+
+        if isinstance(fault, OptionFault):
+            return refuse_option(fault)
+        raise
+    return code
+
+
+def _later(command: str) -> int:
+    from facescript.cli.report import OptionFault, refuse_option
+
+    return refuse_option(OptionFault("FS909", command=command))
+
+
+def _terminated(number: int, frame: FrameType | None) -> NoReturn:
+    """End as an interrupt does, so that nothing half-written stays."""
+    raise KeyboardInterrupt
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,38 @@
+"""Frames done to a bar on the terminal; nothing where standard error is not one."""
+
+from __future__ import annotations
+
+import sys
+import time
+from types import TracebackType
+
+WIDTH = 30
+EVERY = 0.1
+"""Seconds between two drawings of the bar."""
+
+
+class Progress:
+    """A bar for one output; `step` is called with (done, total)."""
+
+    def __init__(self, name: str, silent: bool) -> None:
+        self.name = name
+        self.shown = not silent and sys.stderr.isatty()
+        self.last = 0.0
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, at: TracebackType | None) -> None:
+        if self.shown and self.last:
+            sys.stderr.write("\n")
+
+    def step(self, done: int, total: int) -> None:
+        """Draw the bar anew, not too often."""
+        now = time.monotonic()
+        if not self.shown or (done < total and now - self.last < EVERY):
+            return
+        self.last = now
+        filled = WIDTH * done // max(total, 1)
+        bar = "#" * filled + "." * (WIDTH - filled)
+        sys.stderr.write(f"\r{self.name} [{bar}] {done}/{total}")
+        sys.stderr.flush()

@@ -1,0 +1,18 @@
+"""A command's options to a compiled script, spoken by the real voice."""
+
+from __future__ import annotations
+
+import argparse
+
+from facescript.cli.project import open_script
+from facescript.cli.settings import settings
+from facescript.compile import Compiled, compile_source
+from facescript.speech.voicebox import open_voice
+from facescript.world import World
+
+
+def compile_named(options: argparse.Namespace) -> tuple[Compiled, World]:
+    """The script `options.script` as far as its score. Raises `WorldFailure`, `OptionFault`."""
+    chosen = settings(options)
+    source, world = open_script(options.script)
+    return compile_source(source, world, open_voice(), chosen), world
