@@ -1,0 +1,169 @@
+"""Requests to look somewhere to planned gaze shifts of one face: who owns eyes and head when, and what comes back."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+from facescript.ir.acts import GazeManner, Scan
+from facescript.ir.play import Face
+from facescript.ir.random import between, chance
+from facescript.ir.values import Aim, AtCamera, Away, Towards
+from facescript.space.plan import GazePlan
+from facescript.space.reach import Direction
+from facescript.space.room import Room
+from facescript.space.shift import Shifter, Wish, number
+
+Key = tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class GazeRequest:
+    """A look, a glance or one stop of a scan, with all draws drawn; seconds from the film's start.
+
+    `key` is (order of the act, number of the stop). `start` is without the manner's latency; at `released` it lets
+    go and what it covered comes back. `over` is the length an author gave the shift (0: at once). `glance` is a
+    glance: the head takes little part. `persons` and `people` are as in `Room.bind`.
+    """
+
+    key: Key
+    aim: Aim
+    manner: GazeManner
+    start: float
+    released: float = inf
+    over: float | None = None
+    scene: int = 0
+    glance: bool = False
+    persons: tuple[tuple[str, str], ...] = ()
+    people: tuple[str, ...] = ()
+
+    @property
+    def onset(self) -> float:
+        """When the look begins, its latency included."""
+        return self.start + number(self.manner.latency)
+
+
+def plan_gaze(
+    room: Room, face: Face, requests: Sequence[GazeRequest], scenes: Sequence[float] = (0.0,)
+) -> dict[Key, tuple[GazePlan, ...]]:
+    """The shifts of every request by its key, in time; a shift back, where there is one, is the last of its request.
+
+    `scenes` are the scenes' starts. Every scene begins with eyes and head at the camera. The later start wins the
+    parts it uses; when it lets go, the part's older owner has it again (rule 5 of the blending law).
+    """
+    plans: dict[Key, tuple[GazePlan, ...]] = {}
+    for scene in sorted({request.scene for request in requests}):
+        own = [request for request in requests if request.scene == scene]
+        plans.update(_Scene(room, face, scenes[min(scene, len(scenes) - 1)]).plan(own))
+    return plans
+
+
+def scan_stops(
+    room: Room,
+    face: Face,
+    scan: Scan,
+    start: float,
+    seed: int,
+    people: Sequence[str] = (),
+    place: Sequence[object] = (),
+) -> tuple[Aim, ...]:
+    """The aims of a scan in the order it visits them; `start` is of the scene's clock, `people` as in `Room.bind`.
+
+    `place` tells one scan from another where the order is drawn `at random`.
+    """
+    aims = room.members(scan.crowd, people) or ()
+    if scan.order == "nearest first":
+        return room.nearest_first(face.name, aims, start)
+    if scan.order == "at random":
+        draws = [chance(seed, "scan", face.name, *place, number) for number in range(len(aims))]
+        return tuple(aim for _, aim in sorted(zip(draws, aims, strict=True), key=lambda pair: pair[0]))
+    return aims
+
+
+@dataclass(frozen=True, slots=True)
+class _Owners:
+    """The requests that have eyes and head; None is the camera, at which every scene begins."""
+
+    eyes: GazeRequest | None
+    head: GazeRequest | None
+
+
+class _Scene:
+    """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift."""
+
+    def __init__(self, room: Room, face: Face, start: float) -> None:
+        self.room, self.face, self.start = room, face, start
+        self.shifter = Shifter(room, face, start)
+        self.active: list[GazeRequest] = []
+        self.aims: dict[Key, Aim] = {}
+        self.plans: dict[Key, list[GazePlan]] = {}
+
+    def plan(self, requests: Sequence[GazeRequest]) -> dict[Key, tuple[GazePlan, ...]]:
+        changes = [(request.onset, 0, request.key, request) for request in requests]
+        changes += [(max(r.released, r.onset), 1, r.key, r) for r in requests if r.released < inf]
+        for time, letting_go, _, request in sorted(changes, key=lambda change: change[:3]):
+            if letting_go:
+                self._let_go(time, request)
+            else:
+                self._begin(time, request)
+        return {key: tuple(plans) for key, plans in self.plans.items()}
+
+    def _begin(self, time: float, request: GazeRequest) -> None:
+        clock = time - self.start
+        aim = self.room.bind(self.face.name, request.aim, clock, request.persons, request.people)
+        if isinstance(aim, Away):
+            aim = averted(self.shifter.eyes.goal(clock), self.room.film.seed, self.face.name, *request.key)
+        self.aims[request.key] = aim
+        self.active.append(request)
+        wish = Wish(aim, request.manner.parts, request.manner, request.over, request.glance, request.released)
+        self.plans[request.key] = [self.shifter.plan(clock, wish)]
+
+    def _let_go(self, time: float, request: GazeRequest) -> None:
+        before = self._owners()
+        self.active.remove(request)
+        after = self._owners()
+        for wish in self._back(request, before, after):
+            self.plans[request.key].append(self.shifter.plan(time - self.start, wish))
+
+    def _back(self, request: GazeRequest, before: _Owners, after: _Owners) -> tuple[Wish, ...]:
+        """What eyes and head go back to; together where that is one and the same."""
+        eyes, head = before.eyes is request, before.head is request
+        if eyes and head and after.eyes is after.head:
+            both = "head then eyes" if request.manner.parts == "head then eyes" else "eyes then head"
+            return (self._covered(after.eyes, both, request.manner),)
+        parts = [("eyes only", after.eyes)] if eyes else []
+        parts += [("head only", after.head)] if head else []
+        return tuple(self._covered(owner, part, request.manner) for part, owner in parts)
+
+    def _covered(self, owner: GazeRequest | None, parts: str, manner: GazeManner) -> Wish:
+        """The wish to go back to what `owner` looks at, at the speed of the one that lets go."""
+        if owner is None:
+            return Wish(AtCamera(), parts, GazeManner(speed=manner.speed))
+        back = replace(owner.manner, speed=manner.speed)
+        return Wish(self.aims[owner.key], parts, back, None, owner.glance)
+
+    def _owners(self) -> _Owners:
+        eyes = [r for r in self.active if r.manner.parts != "head only"]
+        head = [r for r in self.active if r.manner.parts != "eyes only"]
+        return _Owners(eyes[-1] if eyes else None, head[-1] if head else None)
+
+
+COMFORT = (28.0, 14.0, 20.0)
+"""How far a look away goes from straight ahead at most: sideways, up, down, deg."""
+
+AWAY = (12.0, 20.0)
+"""How far a look away goes from what it leaves, deg."""
+
+
+def averted(leaving: Direction, seed: int, *place: object) -> Towards:
+    """Somewhere else than `leaving`, by the seed: seven in ten to a side, two down, one up (motion.md section 8)."""
+    draw, size = chance(seed, "away", *place, "where"), between(*AWAY, seed, "away", *place, "size")
+    side, up, down = COMFORT
+    if draw < 0.7:
+        way = size if draw < 0.35 else -size
+        yaw = leaving[0] + way if abs(leaving[0] + way) <= side else leaving[0] - way
+        return Towards(min(side, max(-side, yaw)), min(up, max(-down, leaving[1])))
+    way = -size if draw < 0.9 else size
+    pitch = leaving[1] + way if -down <= leaving[1] + way <= up else leaving[1] - way
+    return Towards(min(side, max(-side, leaving[0])), min(up, max(-down, pitch)))

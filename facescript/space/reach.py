@@ -1,0 +1,97 @@
+"""How far eyes and head turn: a direction to the head's pose that lets the eyes reach it, and what stays out of reach.
+
+Directions are (yaw, pitch) in deg, yaw + to the viewer's right, pitch + up. The eyes' reach is an ellipse a quadrant
+(motion.md section 1, "oculomotor range"; bar S8), the head's a range an axis (`language.md`, "Gaze").
+"""
+
+from __future__ import annotations
+
+from math import acos, asin, atan2, cos, degrees, hypot, radians, sin, tanh
+
+from facescript.space.room import angles, towards
+
+EYE_SIDE, EYE_UP, EYE_DOWN = 45.0, 28.0, 47.0
+HEAD_SIDE, HEAD_UP = 45.0, 30.0
+
+EASY, FULL = 0.75, 0.9
+"""Beyond `EASY` of their reach the eyes are helped by the head; what they are left never exceeds `FULL` of it."""
+
+HEAD_SOFT = 0.9
+"""The part of the head's range that it uses freely; the rest it approaches softly."""
+
+Direction = tuple[float, float]
+
+
+def extent(eye: Direction) -> float:
+    """How far the eyes are turned in the head, as a part of their reach: 1 on the ellipse."""
+    return hypot(eye[0] / EYE_SIDE, eye[1] / (EYE_UP if eye[1] > 0 else EYE_DOWN))
+
+
+def within(direction: Direction) -> Direction:
+    """The direction itself, or where it lies beyond what eyes and head together reach, the end of that."""
+    yaw = min(HEAD_SIDE + EYE_SIDE, max(-HEAD_SIDE - EYE_SIDE, direction[0]))
+    return yaw, min(HEAD_UP + EYE_UP, max(-HEAD_UP - EYE_DOWN, direction[1]))
+
+
+def in_head(direction: Direction, head: Direction) -> Direction:
+    """A direction of the room as the eyes' in a head that is turned by yaw, then pitch."""
+    x, y, z = towards(direction[0] - head[0], direction[1])
+    p = radians(head[1])
+    return angles(x, y * cos(p) - z * sin(p), y * sin(p) + z * cos(p))
+
+
+def in_room(eye: Direction, head: Direction) -> Direction:
+    """The eyes' direction in the head as a direction of the room, the inverse of `in_head`."""
+    x, y, z = towards(*eye)
+    p = radians(head[1])
+    yaw, pitch = angles(x, y * cos(p) + z * sin(p), z * cos(p) - y * sin(p))
+    return yaw + head[0], pitch
+
+
+def head_goal(direction: Direction, share: Direction, start: Direction = (0.0, 0.0)) -> Direction:
+    """Where the head turns for `direction`: from `start` by its share of the way, and further where the eyes would
+    not reach; never beyond its range. Smooth in `direction`."""
+    head = start[0] + share[0] * (direction[0] - start[0]), start[1] + share[1] * (direction[1] - start[1])
+    head = _in_range(head)
+    eye = in_head(direction, head)
+    turned = extent(eye)
+    if turned <= EASY:
+        return head
+    eased = soft(turned, EASY, FULL) / turned
+    return _in_range(_head_for(direction, (eye[0] * eased, eye[1] * eased)))
+
+
+def shortfall(direction: Direction, head: Direction) -> float:
+    """By how many degrees the eyes in a head that is turned to `head` stay short of `direction`."""
+    eye = in_head(direction, head)
+    turned = extent(eye)
+    if turned <= 1.0:
+        return 0.0
+    reached = towards(*in_room((eye[0] / turned, eye[1] / turned), head))
+    cosine = sum(a * b for a, b in zip(reached, towards(*direction), strict=True))
+    return degrees(acos(min(1.0, max(-1.0, cosine))))
+
+
+def soft(value: float, knee: float, limit: float) -> float:
+    """`value` up to `knee`, above it bent so that it never exceeds `limit`; its slope is continuous."""
+    if value <= knee:
+        return value
+    return knee + (limit - knee) * tanh((value - knee) / (limit - knee))
+
+
+def _in_range(head: Direction) -> Direction:
+    return _axis(head[0], HEAD_SIDE), _axis(head[1], HEAD_UP)
+
+
+def _axis(angle: float, limit: float) -> float:
+    bent = soft(abs(angle), HEAD_SOFT * limit, limit)
+    return bent if angle >= 0 else -bent
+
+
+def _head_for(direction: Direction, eye: Direction) -> Direction:
+    """The head's yaw and pitch with which eyes turned by `eye` in it look in `direction`."""
+    x, y, z = towards(*eye)
+    height = sin(radians(direction[1]))
+    tilt = asin(min(1.0, max(-1.0, height / hypot(y, z)))) - atan2(y, z)
+    ahead = z * cos(tilt) - y * sin(tilt)
+    return direction[0] - degrees(atan2(x, ahead)), degrees(tilt)

@@ -1,0 +1,173 @@
+"""The room: what a face aims at, at a time, to the point it is and the direction in which it is looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import atan2, cos, degrees, hypot, radians, sin
+
+from facescript.ir.play import Crowd, Face, Film, FixedTarget, MovingTarget, Target
+from facescript.ir.values import (
+    Aim,
+    AtCamera,
+    AtFace,
+    AtPerson,
+    AtTarget,
+    Draw,
+    PicturePlace,
+    Point,
+    Towards,
+)
+from facescript.space.layout import EYES, MOUTH, lay_out
+from facescript.space.path import place_at
+
+CAMERA_CM = 60.0
+"""How far straight ahead the camera is, cm."""
+
+PICTURE_CM = 40.0
+"""How far in front of the picture faces and places in it are looked at; from here on the screen's fraction is full."""
+
+AHEAD_CM = 600.0
+"""The distance of a look in a direction, where there is nothing to converge on, cm."""
+
+NEAREST_CM = 8.0
+"""The nearest point both eyes can converge on, cm."""
+
+PEOPLE = "people"
+"""The crowd of those whom the camera sees."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sight:
+    """A line of sight as it is drawn: yaw (+ the viewer's right) and pitch (+ up) in deg, and the distance in cm at
+    which both eyes converge."""
+
+    yaw: float
+    pitch: float
+    distance: float
+
+
+class Room:
+    """A film's faces and targets. Times are seconds of the scene's own clock."""
+
+    def __init__(self, film: Film, faces: Sequence[Face], targets: Sequence[Target]) -> None:
+        self.film = film
+        self.layout = lay_out(film, faces)
+        self.targets: Mapping[str, Target] = {target.name: target for target in targets}
+
+    def bind(
+        self,
+        face: str,
+        aim: Aim,
+        time: float,
+        persons: Sequence[tuple[str, str]] = (),
+        people: Sequence[str] = (),
+    ) -> Aim:
+        """The aim made definite: a person becomes the target it is, the nearest of a crowd the one nearest at `time`.
+
+        `persons` says which target a person is, `people` whom the camera sees; nobody there is the camera.
+        """
+        if isinstance(aim, AtPerson):
+            aim = self._member(dict(persons).get(aim.name, aim.name)) or AtCamera()
+        if not isinstance(aim, AtTarget):
+            return aim
+        members = self.members(aim.name, people)
+        if members is None:
+            return aim
+        if isinstance(aim.member, int):
+            return members[aim.member - 1] if aim.member <= len(members) else AtCamera()
+        return self.nearest_first(face, members, time)[0] if members else AtCamera()
+
+    def members(self, crowd: str, people: Sequence[str] = ()) -> tuple[Aim, ...] | None:
+        """The members of a crowd in their order, made definite; None where the name is no crowd."""
+        if crowd == PEOPLE and crowd not in self.targets:
+            return tuple(member for member in map(self._member, people) if member)
+        target = self.targets.get(crowd)
+        if not isinstance(target, Crowd):
+            return None
+        numbered = enumerate(target.members, 1)
+        members = (self._member(m) if isinstance(m, str) else AtTarget(crowd, n) for n, m in numbered)
+        return tuple(member for member in members if member)
+
+    def _member(self, name: str) -> Aim | None:
+        if name in self.targets:
+            return AtTarget(name)
+        return AtFace(name) if name in self.layout.standings else None
+
+    def nearest_first(self, face: str, aims: Sequence[Aim], time: float) -> tuple[Aim, ...]:
+        """The aims by their distance from the face at `time`."""
+        return tuple(sorted(aims, key=lambda aim: self.sight(face, aim, time).distance))
+
+    def moving(self, aim: Aim) -> MovingTarget | None:
+        """The moving target that a definite aim is at, if it is one."""
+        place = self._place(aim)
+        return place if isinstance(place, MovingTarget) else None
+
+    def point(self, face: str, aim: Aim, time: float) -> Point:
+        """Where a definite aim is, cm. A direction is a point far away in it, as the face at rest would see it."""
+        eyes = self.layout.part(face, EYES)
+        if isinstance(aim, AtCamera):
+            return Point(*eyes, CAMERA_CM)
+        if isinstance(aim, AtFace):
+            return Point(*self.layout.part(aim.face, MOUTH if aim.part == "mouth" else EYES), PICTURE_CM)
+        if isinstance(aim, Towards):
+            x, y, z = towards(_number(aim.yaw), _number(aim.pitch))
+            return Point(eyes[0] + x * AHEAD_CM, eyes[1] + y * AHEAD_CM, z * AHEAD_CM)
+        place = self._place(aim)
+        if isinstance(place, MovingTarget):
+            return place_at(place.times, place.places, time)
+        if isinstance(place, PicturePlace):
+            return Point(*self.layout.place(place), PICTURE_CM)
+        if place is None:
+            raise ValueError(f"{aim} is not definite: bind it first")
+        return place
+
+    def sight(self, face: str, aim: Aim, time: float) -> Sight:
+        """The line of sight with which a face looks at a definite aim, the flat screen allowed for."""
+        if isinstance(aim, Towards):
+            return Sight(_number(aim.yaw), _number(aim.pitch), AHEAD_CM)
+        point = self.point(face, aim, time)
+        eyes = self.layout.part(face, EYES)
+        x, y, z = point.x - eyes[0], point.y - eyes[1], point.z
+        yaw, pitch = angles(x, y, z)
+        scale = 1.0 if self._in_picture(aim) else screen_fraction(self.film.screen, z)
+        return Sight(yaw * scale, pitch * scale, max(NEAREST_CM, hypot(x, y, z)))
+
+    def _in_picture(self, aim: Aim) -> bool:
+        return isinstance(aim, AtFace) or isinstance(self._place(aim), PicturePlace)
+
+    def _place(self, aim: Aim) -> Point | PicturePlace | MovingTarget | None:
+        """The place of a definite aim at a target; None for any other aim."""
+        if not isinstance(aim, AtTarget):
+            return None
+        target = self.targets[aim.name]
+        if isinstance(target, FixedTarget):
+            return target.place
+        if isinstance(target, MovingTarget):
+            return target
+        member = target.members[aim.member - 1] if isinstance(aim.member, int) else None
+        return None if isinstance(member, str) else member
+
+
+def screen_fraction(fraction: float, z: float) -> float:
+    """How much of the true angle is drawn for a target `z` cm in front of the screen: `fraction` from 40 cm on,
+    smoothly to 1 at the screen ("The flat screen"; first seed, column 12)."""
+    near = min(1.0, max(0.0, z / PICTURE_CM))
+    return 1.0 + (fraction - 1.0) * near * near * (3.0 - 2.0 * near)
+
+
+def towards(yaw: float, pitch: float) -> tuple[float, float, float]:
+    """The unit vector (x right, y up, z to the viewer) of a direction in deg: yaw, then pitch."""
+    y, p = radians(yaw), radians(pitch)
+    return sin(y) * cos(p), sin(p), cos(y) * cos(p)
+
+
+def angles(x: float, y: float, z: float) -> tuple[float, float]:
+    """Yaw and pitch (deg) of a vector, the inverse of `towards`."""
+    return degrees(atan2(x, z)), degrees(atan2(y, hypot(x, z)))
+
+
+def _number(amount: float | Draw) -> float:
+    if isinstance(amount, Draw):
+        raise ValueError("a draw that is not drawn")
+    return amount

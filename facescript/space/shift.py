@@ -1,0 +1,225 @@
+"""One gaze shift: from what is looked at next, and how, to the times and goals of eyes and head."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import hypot, inf
+
+from facescript.ir.acts import GazeManner
+from facescript.ir.play import Face
+from facescript.ir.values import Aim, AtCamera, Draw
+from facescript.space.main_sequence import head_lag, head_time, minimum_jerk, saccade_part, saccade_time
+from facescript.space.plan import GazePlan
+from facescript.space.reach import Direction, extent, head_goal, in_head, shortfall, within
+from facescript.space.room import Room
+
+SHARES = {"": (0.69, 0.52, 0.08), "head-mover": (0.95, 0.8, 0.4), "eye-mover": (0.69, 0.52, 0.08)}
+"""The head's share of a direction (sideways, up, down) by the face's habit (motion.md section 2; bar H4)."""
+
+EYE_ONLY, BEYOND = 15.0, 0.75
+"""A glance, and any look of an eye-mover, leaves the first `EYE_ONLY` deg to the eyes and takes the head `BEYOND` of
+the rest (motion.md section 2, "quick glance"; bar H5)."""
+
+HEAD_FIRST = 0.5
+"""With `head then eyes` the eyes leave when the head has spent this part of its time."""
+
+TURNING = 1.0
+"""A head movement below this many degrees is none to wait for."""
+
+WAIT_STEP = 0.004
+"""Steps in which the moment is sought when the waiting eyes have the target, s."""
+
+
+def number(amount: float | Draw) -> float:
+    """An amount that is drawn already."""
+    if isinstance(amount, Draw):
+        raise ValueError("a draw that is not drawn")
+    return amount
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A movement of eyes or head towards a goal that may itself move; times of the scene's clock."""
+
+    onset: float
+    done: float
+    goal: Callable[[float], Direction]
+
+
+class Past:
+    """The movements of one part so far, each blended over the one before, so that an interruption never jumps."""
+
+    def __init__(self, first: Move, part: Callable[[float, float], float]) -> None:
+        self.moves = [first]
+        self.part = part
+
+    def drop_pending(self, time: float) -> None:
+        """Forget the movements that would begin at `time` or later: they are overtaken before they begin."""
+        while len(self.moves) > 1 and self.moves[-1].onset >= time:
+            self.moves.pop()
+
+    def at(self, time: float) -> Direction:
+        """Where the part is at `time`."""
+        first = len(self.moves) - 1
+        while first > 0 and time < self.moves[first].done:
+            first -= 1
+        yaw, pitch = self.moves[first].goal(time)
+        for move in self.moves[first + 1 :]:
+            if time > move.onset:
+                gone = self.part((time - move.onset) / (move.done - move.onset), move.done - move.onset)
+                goal = move.goal(time)
+                yaw, pitch = yaw + gone * (goal[0] - yaw), pitch + gone * (goal[1] - pitch)
+        return yaw, pitch
+
+    def goal(self, time: float) -> Direction:
+        """Where the part is bound for."""
+        return self.moves[-1].goal(time)
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """What a shift is asked for: the aim made definite, the parts and the manner, and the length an author gave it."""
+
+    aim: Aim
+    parts: str
+    manner: GazeManner
+    over: float | None = None
+    glance: bool = False
+    released: float = inf
+
+
+class Shifter:
+    """Plans the shifts of one face in one scene, one after another in time."""
+
+    def __init__(self, room: Room, face: Face, start: float) -> None:
+        self.room, self.face, self.start = room, face, start
+        rest = self._direction(AtCamera())
+        self.eyes = Past(Move(-inf, -inf, rest), saccade_part)
+        self.head = Past(
+            Move(-inf, -inf, lambda time: head_goal(rest(time), self._usual(rest(time)))),
+            lambda part, _: minimum_jerk(part),
+        )
+
+    def plan(self, time: float, wish: Wish) -> GazePlan:
+        """The shift that begins at `time` (scene's clock), laid over those planned before it."""
+        eyes, head = wish.parts != "head only", wish.parts != "eyes only"
+        target = self._direction(wish.aim)
+        self._drop_pending(time, eyes, head)
+        origin, turned = self.eyes.at(time), self.head.at(time)
+        share, start = self._share(wish, target(time), self.head.goal(time))
+        amplitude = _distance(target(time), origin)
+        turn = _distance(head_goal(target(time), share, start), turned) if head else 0.0
+        times = _times(time, wish, amplitude, turn)
+        if eyes:
+            self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target))
+        if head:
+            goal = lambda at: head_goal(target(at), share, start)  # noqa: E731
+            self.head.moves.append(Move(times.head_onset, times.head_done, goal))
+        landed = self._landed(times, target) if eyes else times.head_done
+        return GazePlan(
+            aim=wish.aim,
+            parts=wish.parts,
+            eye_onset=self.start + times.eye_onset,
+            landed=self.start + landed,
+            head_onset=self.start + times.head_onset,
+            head_done=self.start + times.head_done,
+            head_share=share,
+            amplitude=amplitude if eyes else turn,
+            released=wish.released,
+            instant=wish.over == 0.0,
+            unreachable=self.short_of(wish, time),
+            eye_done=self.start + times.eye_done,
+            head_from=start,
+        )
+
+    def short_of(self, wish: Wish, time: float) -> float:
+        """By how many degrees the gaze stays short of the wish's target at `time`, once all has settled."""
+        sight = self.room.sight(self.face.name, wish.aim, time)
+        head = self.head.goal(time)
+        if wish.parts == "head only":
+            full = head_goal((sight.yaw, sight.pitch), (1.0, 1.0))
+            return _beyond(_distance((sight.yaw, sight.pitch), full))
+        return _beyond(shortfall((sight.yaw, sight.pitch), head))
+
+    def _direction(self, aim: Aim) -> Callable[[float], Direction]:
+        def direction(time: float) -> Direction:
+            sight = self.room.sight(self.face.name, aim, time)
+            return within((sight.yaw, sight.pitch))
+
+        if self.room.moving(aim):
+            return direction
+        still = direction(0.0)
+        return lambda time: still
+
+    def _drop_pending(self, time: float, eyes: bool, head: bool) -> None:
+        if eyes:
+            self.eyes.drop_pending(time)
+        if head:
+            self.head.drop_pending(time)
+
+    def _usual(self, direction: Direction) -> Direction:
+        side, up, down = SHARES[self.face.gaze]
+        return side, up if direction[1] > 0 else down
+
+    def _share(self, wish: Wish, target: Direction, head: Direction) -> tuple[Direction, Direction]:
+        """The head's share of the way, and from where the way is counted."""
+        if wish.manner.head_share is not None:
+            share = number(wish.manner.head_share)
+            return (share, share), (0.0, 0.0)
+        if wish.parts == "head only":
+            return (1.0, 1.0), (0.0, 0.0)
+        if not wish.glance and self.face.gaze != "eye-mover":
+            return self._usual(target), (0.0, 0.0)
+        start = head if wish.glance else (0.0, 0.0)
+        way = target[0] - start[0], target[1] - start[1]
+        far = hypot(*way)
+        share = BEYOND * max(0.0, far - EYE_ONLY) / far if far else 0.0
+        side, vertical = self._usual(way)
+        return (share, share * vertical / side), start
+
+    def _landed(self, times: Times, target: Callable[[float], Direction]) -> float:
+        """When the eyes have the target, or are as near as they get: they may have to wait for the head."""
+        time = times.eye_done
+        while time < times.head_done and extent(in_head(target(time), self.head.at(time))) > 1.0:
+            time = min(times.head_done, time + WAIT_STEP)
+        return time
+
+
+@dataclass(frozen=True, slots=True)
+class Times:
+    """When eyes and head of a shift set off and arrive."""
+
+    eye_onset: float
+    eye_done: float
+    head_onset: float
+    head_done: float
+
+
+def _times(time: float, wish: Wish, amplitude: float, turn: float) -> Times:
+    """The timing of a shift of `amplitude` deg with a head movement of `turn` deg, by the order of its parts."""
+    if wish.over == 0.0:
+        return Times(time, time, time, time)
+    speed = number(wish.manner.speed)
+    eye, head = saccade_time(amplitude) / speed, head_time(turn) / speed
+    lag, wait = head_lag(amplitude) / speed, HEAD_FIRST * head if turn > TURNING else 0.0
+    if wish.over is not None:
+        lag, wait = min(lag, wish.over / 2), wish.over / 2
+        eye, head = wish.over, max(head, wish.over - lag)
+    if wish.parts == "eyes only":
+        return Times(time, time + eye, time, time)
+    if wish.parts == "head only":
+        return Times(time, time, time, time + (wish.over or head))
+    if wish.parts == "head then eyes":
+        length = wish.over - wait if wish.over is not None else eye
+        return Times(time + wait, time + wait + length, time, time + (wish.over or head))
+    return Times(time, time + eye, time + lag, time + lag + head)
+
+
+def _distance(one: Direction, other: Direction) -> float:
+    return hypot(one[0] - other[0], one[1] - other[1])
+
+
+def _beyond(angle: float) -> float:
+    """The angle, if it is one that can be seen."""
+    return angle if angle > 0.5 else 0.0
