@@ -1,0 +1,62 @@
+"""The lines of a score to one track of sound."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.schedule.score import Score, TimedLine
+from facescript.speech.parts import RATE
+
+FADE = 0.02
+"""Seconds over which a line that is cut dies away, up to the cut."""
+
+KNEE = 0.8
+"""Below this part of full scale sound passes as it is; above, it nears full scale and never passes it."""
+
+FULL = 32767.0
+
+
+def soundtrack(score: Score) -> tuple[NDArray[np.int16], int]:
+    """The sound of all lines, as long as the score: mono samples and their rate in Hz. The same score, the same bytes."""
+    track = np.zeros(round(score.duration * RATE), dtype=np.float32)
+    for line in score.lines:
+        _lay(track, line)
+    loud = np.abs(track) > KNEE * FULL
+    track[loud] = _limited(track[loud])
+    return np.rint(track).astype(np.int16), RATE
+
+
+def _lay(track: NDArray[np.float32], line: TimedLine) -> None:
+    """Add one line to the track, at its time and volume, up to its cut."""
+    sound = np.frombuffer(line.spoken.pcm, dtype="<i2").astype(np.float32) * np.float32(line.volume)
+    if line.spoken.rate != RATE:
+        sound = _resampled(sound, line.spoken.rate)
+    if line.cut is not None:
+        sound = _cut(sound, line.cut - line.start)
+    start = round(line.start * RATE)
+    skipped = max(-start, 0)
+    stretch = track[max(start, 0) : max(start, 0) + max(len(sound) - skipped, 0)]
+    stretch += sound[skipped : skipped + len(stretch)]
+
+
+def _cut(sound: NDArray[np.float32], seconds: float) -> NDArray[np.float32]:
+    kept = sound[: max(round(seconds * RATE), 0)].copy()
+    fading = min(round(FADE * RATE), len(kept))
+    kept[len(kept) - fading :] *= np.linspace(1, 0, fading, dtype=np.float32)
+    return kept
+
+
+def _resampled(sound: NDArray[np.float32], rate: int) -> NDArray[np.float32]:
+    """The sound at `RATE`, its samples joined by straight lines."""
+    count = round(len(sound) * RATE / rate)
+    places = np.arange(count) * (rate / RATE)
+    return np.interp(places, np.arange(len(sound)), sound).astype(np.float32)
+
+
+def _limited(samples: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Full scale's soft limit: the identity's slope at the knee, full scale at infinity."""
+    room = np.float32((1 - KNEE) * FULL)
+    over = np.abs(samples) - np.float32(KNEE * FULL)
+    limited: NDArray[np.float32] = np.sign(samples) * (np.float32(KNEE * FULL) + room * np.tanh(over / room))
+    return limited

@@ -1,0 +1,85 @@
+"""Spoken pieces and silences to one line of sound with its words and phones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from facescript.speech.espeak import Heard, Sound
+from facescript.speech.model import PhoneTime, Spoken, WordTime
+
+RATE = 22_050
+"""Samples a second of every spoken line."""
+
+LEAD, TAIL = 0.06, 0.04
+"""Seconds of quiet kept before the first sound and after the last: a plosive's closure, and the voice's fading."""
+
+BYTES = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A piece as sound; words and phones in seconds from its start, words by characters of the whole line."""
+
+    pcm: bytes
+    words: tuple[WordTime, ...]
+    phones: tuple[PhoneTime, ...]
+
+    @property
+    def duration(self) -> float:
+        return len(self.pcm) / BYTES / RATE
+
+
+def phones(sound: Sound) -> tuple[PhoneTime, ...]:
+    """The phones of an utterance one after another; a switch of language is silence."""
+    starts = [event for event in sound.events if event.kind == "phone"]
+    total = len(sound.pcm) / BYTES / RATE
+    ends = [event.sample / RATE for event in starts[1:]] + [total]
+    return tuple(
+        _phone(event, min(end, total)) for event, end in zip(starts, ends, strict=True) if end > event.sample / RATE
+    )
+
+
+def _phone(event: Heard, end: float) -> PhoneTime:
+    plain = "" if event.symbol.startswith("(") else event.symbol.replace("ˈ", "").replace("ˌ", "")
+    return PhoneTime(plain, event.sample / RATE, end, "ˈ" in event.symbol)
+
+
+def trimmed(part: Part, sounding: tuple[float, float]) -> Part:
+    """The part without the quiet beyond `LEAD` and `TAIL` around `sounding`, the stretch in which there is sound."""
+    first = round(max(sounding[0] - LEAD, 0) * RATE)
+    last = min(round((sounding[1] + TAIL) * RATE), len(part.pcm) // BYTES)
+    moved = shifted(part, -first / RATE)
+    total = (last - first) / RATE
+    kept = (replace(phone, start=max(phone.start, 0.0), end=min(phone.end, total)) for phone in moved.phones)
+    words = (replace(word, start=max(word.start, 0.0), end=min(word.end, total)) for word in moved.words)
+    return Part(part.pcm[BYTES * first : BYTES * last], tuple(words), tuple(p for p in kept if p.end > p.start))
+
+
+def shifted(part: Part, by: float) -> Part:
+    """The part's words and phones `by` seconds later."""
+    words = (replace(word, start=word.start + by, end=word.end + by) for word in part.words)
+    sounds = (replace(phone, start=phone.start + by, end=phone.end + by) for phone in part.phones)
+    return Part(part.pcm, tuple(words), tuple(sounds))
+
+
+def joined(parts: Sequence[Part | float]) -> Part:
+    """Parts one after another; a number is that many seconds of silence."""
+    sound = bytearray()
+    words: list[WordTime] = []
+    sounds: list[PhoneTime] = []
+    for part in parts:
+        at = len(sound) / BYTES / RATE
+        if isinstance(part, float):
+            sound += bytes(BYTES * round(part * RATE))
+            sounds.append(PhoneTime("", at, len(sound) / BYTES / RATE))
+            continue
+        moved = shifted(part, at)
+        sound += moved.pcm
+        words += moved.words
+        sounds += moved.phones
+    return Part(bytes(sound), tuple(words), tuple(sounds))
+
+
+def spoken(part: Part) -> Spoken:
+    return Spoken(part.pcm, RATE, part.duration, part.words, part.phones)

@@ -1,0 +1,93 @@
+"""Voice names as an author writes them to the voice that espeak-ng speaks with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from math import log2
+from typing import Any
+
+from facescript.ir.acts import Voice
+from facescript.speech.model import VoiceFailure
+
+MANDARIN = ("cmn", "zh", "zh-cn", "zh-tw", "cmn-latn-pinyin")
+"""Languages whose characters are spoken syllable by syllable."""
+
+VARIANTS = {"female": "f3", "male": "m3"}
+"""The variants that `female` and `male` stand for."""
+
+WORDS_A_MINUTE = 175
+SLOWEST, FASTEST = 80, 450
+"""What espeak-ng speaks at 100 %, and its limits, in words a minute."""
+
+
+@dataclass(frozen=True, slots=True)
+class Manner:
+    """How the synthesiser is to speak: its voice's identifier (with `+variant`), words a minute, pitch 0..100."""
+
+    voice: str
+    rate: int
+    pitch: int
+
+
+@dataclass(frozen=True, slots=True)
+class Voices:
+    """The voices of the synthesiser. `languages` maps a code in lower case to a voice's identifier, `titles` a code
+    to its full name, `variants` a variant's name in lower case to the synthesiser's."""
+
+    languages: Mapping[str, str]
+    titles: Mapping[str, str]
+    variants: Mapping[str, str]
+
+    def manner(self, voice: Voice) -> Manner:
+        """How to speak as `voice` says. Raises `VoiceFailure` where there is no such voice, rate or pitch."""
+        code = "cmn-latn-pinyin" if voice.language.lower() in MANDARIN else voice.language
+        identifier = _found(code, self.languages, "language")
+        if voice.variant:
+            name = VARIANTS.get(voice.variant.lower(), voice.variant)
+            identifier += "+" + _found(name, self.variants, "variant")
+        return Manner(identifier, rate(voice.rate), pitch(voice.pitch))
+
+
+def rate(factor: float) -> int:
+    """Words a minute at `factor` times the usual speed."""
+    words = round(WORDS_A_MINUTE * factor)
+    if not SLOWEST <= words <= FASTEST:
+        low, high = (f"{100 * limit / WORDS_A_MINUTE:.0f}%" for limit in (SLOWEST, FASTEST))
+        raise VoiceFailure(f"a rate of {factor:.0%} lies outside what it speaks, {low} to {high}")
+    return words
+
+
+def pitch(factor: float) -> int:
+    """espeak-ng's pitch for `factor` times the usual: 0..100 spans two octaves."""
+    if not 0.5 <= factor <= 2:
+        raise VoiceFailure(f"a pitch of {factor:.0%} lies outside what it speaks, 50% to 200%")
+    return round(50 + 50 * log2(factor))
+
+
+def voices(listing: Mapping[str, Any]) -> Voices:
+    """The voices of a worker's answer; a code that several voices bear goes to the one that gives it first place."""
+    ranked: dict[str, tuple[int, str]] = {}
+    titles: dict[str, str] = {}
+    for title, identifier, languages in listing["voices"]:
+        if languages:
+            titles[languages[0][1]] = title.strip()
+        for priority, code in languages:
+            first = priority if code != languages[0][1] else 0
+            ranked[code.lower()] = min(ranked.get(code.lower(), (256, "")), (first, identifier))
+    variants = {}
+    for name, identifier, _ in listing["variants"]:
+        file = identifier.rpartition("/")[2]
+        variants |= {name.lower(): file, file.lower(): file}
+    return Voices({code: identifier for code, (_, identifier) in ranked.items()}, titles, variants)
+
+
+def _found(name: str, known: Mapping[str, str], kind: str) -> str:
+    """The synthesiser's name for a language or a variant."""
+    if name.lower() in known:
+        return known[name.lower()]
+    near = get_close_matches(name.lower(), known, 3, 0.5)
+    near += [code for code in known if code.split("-")[0] == name.lower().split("-")[0] and code not in near]
+    hint = f"; near it are {', '.join(f'`{code}`' for code in near[:4])}" if near else ""
+    raise VoiceFailure(f"it has no {kind} `{name}`{hint}")
