@@ -1,0 +1,91 @@
+"""A score and its performance to the shapes of the whole picture, and their points, opacities and ground over time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.performance.performance import Performance
+from facescript.rig.picture import Shape
+from facescript.schedule.score import Score
+from facescript.space.layout import lay_out
+from facescript.stage.actor import BACKDROP, Actor, moved
+from facescript.stage.ground import PAPER, Ground, Grounds, own_share
+from facescript.stage.view import Camera
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class StageFrames:
+    """Frames of the film: `points` array[frame, point, 2] in film px (y down), `opacity` array[frame, shape] 0..1,
+    and the ground behind them, one a frame."""
+
+    points: Floats
+    opacity: Floats
+    grounds: tuple[Ground, ...]
+
+
+class Stage:
+    """The whole picture of a film, a pure function of time.
+
+    `shapes` are in drawing order: the backdrops of all faces, then face by face. With several faces their ids carry
+    the face's name (`ada-mouth`). `pictures` reads the bytes of a background picture by its path.
+    """
+
+    def __init__(self, score: Score, performance: Performance, pictures: Callable[[str], bytes]) -> None:
+        self.width, self.height = score.film.width, score.film.height
+        self.pictures = pictures
+        self._score = score
+        self._performance = performance
+        layout = lay_out(score.film, score.faces)
+        self._camera = Camera(score, layout)
+        seen = [face for face in score.faces if face.seen]
+        self._actors = [Actor(face, layout.standings[face.name], score.film) for face in seen]
+        self._firsts = np.cumsum([0, *(actor.count for actor in self._actors)]).tolist()
+        self._place()
+        paints = [actor.ground for actor in self._actors if actor.ground is not None]
+        self._grounds = Grounds(score, paints[0] if paints else PAPER)
+
+    def frames(self, times: Floats) -> StageFrames:
+        """The picture at `times` (seconds from the film's start, any order)."""
+        points = np.zeros((len(times), self._firsts[-1], 2))
+        opacity = np.zeros((len(times), len(self._order)))
+        at = 0
+        for number, actor in enumerate(self._actors):
+            poses = self._performance.sample_face(actor.name, times)
+            points[:, self._firsts[number] : self._firsts[number + 1]], shades = actor.draw(poses)
+            opacity[:, at : at + len(actor.shapes)] = shades * self._present(actor.name, times)[:, None]
+            at += len(actor.shapes)
+        opacity = opacity[:, self._order]
+        grounds = tuple(self._grounds.at(time) for time in times.tolist())
+        opacity[:, : self._backdrops] *= np.array([own_share(ground) for ground in grounds])[:, None]
+        return StageFrames(self._looked_at(points, times), opacity, grounds)
+
+    def _place(self) -> None:
+        """Join the shapes of all faces, backdrops first."""
+        several = len(self._actors) > 1
+        joined: list[Shape] = []
+        for actor, first in zip(self._actors, self._firsts, strict=False):
+            joined += moved(actor.shapes, first, f"{actor.name}-" if several else "", self._camera.moves)
+        self._order = sorted(range(len(joined)), key=lambda place: joined[place].group != BACKDROP)
+        self.shapes: tuple[Shape, ...] = tuple(joined[place] for place in self._order)
+        self._backdrops = sum(shape.group == BACKDROP for shape in joined)
+
+    def _present(self, face: str, times: Floats) -> Floats:
+        """1 where a face is in the scene, else 0; a scene's end belongs to the next."""
+        scenes = self._score.scenes
+        starts = np.array([scene.start for scene in scenes])
+        with_face = np.array([float(face in scene.faces) for scene in scenes])
+        present: Floats = with_face[np.maximum(0, np.searchsorted(starts, times, side="right") - 1)]
+        return present
+
+    def _looked_at(self, points: Floats, times: Floats) -> Floats:
+        """Picture px to film px: the camera's affine of each moment."""
+        if not self._camera.moves:
+            return points
+        views = np.array([self._camera.at(time) for time in times.tolist()])
+        return points * views[:, None, :1] + views[:, None, 1:]
