@@ -32,7 +32,7 @@ def thesis_size(job: Job) -> int:
     out = io.StringIO()
     shapes = job.stage.shapes
     times = job.times()
-    total = sum(len(f'<style>.c{n}{{fill:#aabbcc}}</style>') for n, _ in enumerate(shapes))
+    total = sum(len(f"<style>.c{n}{{fill:#aabbcc}}</style>") for n, _ in enumerate(shapes))
     for first in range(0, len(times), 60):
         drawn = job.stage.frames(times[first : first + 60])
         for frame in range(len(drawn.points)):

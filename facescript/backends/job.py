@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.ir.acts import Say
 from facescript.ir.play import Play
 from facescript.motion.perform import perform
 from facescript.performance.performance import Performance
@@ -76,6 +77,10 @@ class Job:
         first, last = round(self.start * rate), round(self.end * rate)
         cut = samples[first:last]
         return np.pad(cut, (0, last - first - len(cut))), rate
+
+    def spoken(self) -> list[tuple[str, str]]:
+        """Who says what, in time order: (face, text)."""
+        return [(act.face or "", act.verb.text) for act in self.score.acts if isinstance(act.verb, Say)]
 
     def times(self) -> NDArray[np.float64]:
         """The frames' moments: every 1/fps from `start`, up to but not at `end`; or the one moment `at`."""

@@ -10,10 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.backends.job import Job
+from facescript.backends.svg_ground import SHADE, Behind
 from facescript.backends.svg_keys import Swing
 from facescript.backends.svg_path import path_text
+from facescript.backends.svg_track import Track
 from facescript.performance.channels import CHANNELS
 from facescript.rig.picture import Shape
+from facescript.stage.ground import Ground
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -23,9 +26,6 @@ QUANTUM = 0.25
 
 OFF = 0.5 / math.sqrt(2)
 """Pixels a coordinate may be off, so that a point is at most half a pixel away."""
-
-SHADE = 0.02
-"""The smallest step of opacity worth a number."""
 
 TICK = 0.004
 """Seconds: all key times are whole multiples of it."""
@@ -47,45 +47,35 @@ HEAD_BEND = 0.04
 
 
 @dataclass(frozen=True, slots=True)
-class Track:
-    """Key frames of one attribute: times in seconds from the start, and the attribute's text at each."""
-
-    times: tuple[float, ...]
-    values: tuple[str, ...]
-
-    @property
-    def still(self) -> bool:
-        return len(set(self.values)) == 1
-
-
-@dataclass(frozen=True, slots=True)
 class Animation:
-    """Outline and opacity of every shape over time; `scale` turns the outlines' numbers into pixels."""
+    """Outline (in QUANTUM pixels) and opacity of every shape over time, and what lies behind them."""
 
     outlines: tuple[Track, ...]
     opacities: tuple[Track, ...]
-    scale: float = QUANTUM
+    behind: Behind
 
 
-def animate(job: Job, shapes: tuple[Shape, ...]) -> Animation:
+def animation(job: Job, shapes: tuple[Shape, ...]) -> Animation:
     """The key frames of a job's stretch. Memory holds a chunk of frames and the keys found."""
     columns = [_columns(shape) for shape in shapes]
     order = np.concatenate(columns)
     starts = np.cumsum([0] + [2 * len(column) for column in columns[:-1]])
     outlines = Swing(starts, 2 * len(order), OFF / QUANTUM)
     shades = Swing(np.arange(len(shapes)), len(shapes), 1.0)
+    behind = Behind()
     moments = _moments(job)
-    for number, (time, points, opacity) in enumerate(_frames(job, moments)):
-        row = points[order].ravel() / QUANTUM
+    for number, (time, points, opacity, ground) in enumerate(_frames(job, moments)):
         feed = (Swing.push, Swing.begin)[number == 0]
-        feed(outlines, time, row)
+        feed(outlines, time, points[order].ravel() / QUANTUM)
         feed(shades, time, opacity / SHADE)
+        behind.take(time - moments[0], ground)
         job.progress(number + 1, len(moments))
     outlines.finish()
     shades.finish()
     return Animation(
-        tuple(_outline(keys, shape, job.start) for keys, shape in zip(outlines.keys, shapes, strict=True)),
-        tuple(_shade(keys, job.start) for keys in shades.keys),
+        tuple(_outline(keys, shape, moments[0]) for keys, shape in zip(outlines.keys, shapes, strict=True)),
+        tuple(_shade(keys, moments[0]) for keys in shades.keys),
+        behind,
     )
 
 
@@ -94,11 +84,11 @@ def _columns(shape: Shape) -> Ints:
     return np.concatenate([np.arange(contour.first, contour.first + contour.count) for contour in shape.contours])
 
 
-def _frames(job: Job, moments: Floats) -> Iterator[tuple[float, Floats, Floats]]:
+def _frames(job: Job, moments: Floats) -> Iterator[tuple[float, Floats, Floats, Ground]]:
     for first in range(0, len(moments), CHUNK):
         chunk = moments[first : first + CHUNK]
         drawn = job.stage.frames(chunk)
-        yield from zip(chunk.tolist(), drawn.points, drawn.opacity, strict=True)
+        yield from zip(chunk.tolist(), drawn.points, drawn.opacity, drawn.grounds, strict=True)
 
 
 def _outline(keys: list[tuple[float, Ints]], shape: Shape, start: float) -> Track:
@@ -133,7 +123,7 @@ def _bent(job: Job, ticks: Ints) -> NDArray[np.bool_]:
         rows = ticks[first * STEP : (first + 500) * STEP + 1]
         values = job.performance.sample(job.start + rows * TICK)
         count = (len(rows) - 1) // STEP
-        ends = values[:: STEP][: count + 1]
+        ends = values[::STEP][: count + 1]
         for part in range(1, STEP):
             inner = values[part::STEP][:count]
             line = ends[:-1] + (ends[1:] - ends[:-1]) * (part / STEP)

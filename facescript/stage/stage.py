@@ -33,7 +33,7 @@ class Stage:
     """The whole picture of a film, a pure function of time.
 
     `shapes` are in drawing order: the backdrops of all faces, then face by face. With several faces their ids carry
-    the face's name (`ada-mouth`). `pictures` reads the bytes of a background picture by its path.
+    the face's name (`ada-mouth`); `owners` are the shapes' faces. `pictures` reads the bytes of a background picture by its path.
     """
 
     def __init__(self, score: Score, performance: Performance, pictures: Callable[[str], bytes]) -> None:
@@ -69,10 +69,13 @@ class Stage:
         """Join the shapes of all faces, backdrops first."""
         several = len(self._actors) > 1
         joined: list[Shape] = []
+        owners: list[str] = []
         for actor, first in zip(self._actors, self._firsts, strict=False):
             joined += moved(actor.shapes, first, f"{actor.name}-" if several else "", self._camera.moves)
+            owners += [actor.name] * len(actor.shapes)
         self._order = sorted(range(len(joined)), key=lambda place: joined[place].group != BACKDROP)
         self.shapes: tuple[Shape, ...] = tuple(joined[place] for place in self._order)
+        self.owners: tuple[str, ...] = tuple(owners[place] for place in self._order)
         self._backdrops = sum(shape.group == BACKDROP for shape in joined)
 
     def _present(self, face: str, times: Floats) -> Floats:

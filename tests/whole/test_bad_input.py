@@ -68,7 +68,9 @@ def test_target_behind_the_head_is_a_warning_and_a_film(tmp_path: Path) -> None:
     assert (tmp_path / "out.csv").stat().st_size > 1000
 
 
-@pytest.mark.parametrize("text", ["<script>alert(1)</script>", "]]>", "a ' b & c", "\u05e9\u05dc\u05d5\u05dd", "e\u0301"])
+@pytest.mark.parametrize(
+    "text", ["<script>alert(1)</script>", "]]>", "a ' b & c", "\u05e9\u05dc\u05d5\u05dd", "e\u0301"]
+)
 def test_texts_are_inert_in_svg(text: str, tmp_path: Path) -> None:
     from lxml import etree
 
@@ -84,7 +86,12 @@ def test_texts_are_inert_in_svg(text: str, tmp_path: Path) -> None:
 def test_thirty_faults_give_thirty_diagnostics(tmp_path: Path) -> None:
     lines = ["face ada = woman", "scene a:"]
     for number in range(10):
-        lines += [f"    show nothing{number}", "    nod 30%", f"    wait {number + 1}", f"    lok at camera, fast{number}"]
+        lines += [
+            f"    show nothing{number}",
+            "    nod 30%",
+            f"    wait {number + 1}",
+            f"    lok at camera, fast{number}",
+        ]
     (tmp_path / "script.face").write_text("\n".join(lines) + "\n")
     done = facescript("check", "--json", "script.face", cwd=tmp_path)
     import json

@@ -1,0 +1,111 @@
+"""The animated SVG in a real browser: it looks like our own frames, keeps to its sound, and starts at a click."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import imageio.v3 as iio
+import numpy as np
+import pytest
+from chromium import Page
+from numpy.typing import NDArray
+
+from facescript.cli.main import main
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+TILE = 32
+EARLY, LATE = 0.015, 0.045
+"""Seconds the picture may be ahead of and behind its sound (motion bar L1)."""
+
+CLOCKS = """
+new Promise(done => {
+  const svg = document.documentElement, audio = svg.querySelector("audio"), found = [];
+  const look = () => {
+    if (!audio.paused && audio.currentTime > 0.2) found.push(audio.currentTime - svg.getCurrentTime());
+    if (found.length >= COUNT || audio.ended) done(found); else requestAnimationFrame(look);
+  };
+  audio.currentTime = FROM; audio.play(); requestAnimationFrame(look);
+})
+"""
+
+
+@pytest.fixture(scope="module")
+def evening(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("evening")
+    assert main(["build", str(EXAMPLES / "evening.face"), "-o", str(folder / "evening.svg"), "--quiet"]) == 0
+    return folder / "evening.svg"
+
+
+@pytest.fixture(scope="module")
+def minute(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A minute of speech."""
+    folder = tmp_path_factory.mktemp("minute")
+    lines = "".join(f'    say "Line {number} of a talk about bridges, boats and birds."\n' for number in range(24))
+    script = f"film 320x320, 62s long, seed 1\nface ada = woman\n    life calm\nscene talk:\n{lines}"
+    (folder / "minute.face").write_text(script, "utf-8")
+    assert main(["build", str(folder / "minute.face"), "-o", str(folder / "minute.svg"), "--quiet"]) == 0
+    return folder / "minute.svg"
+
+
+def ours(time: float, folder: Path) -> NDArray[np.int16]:
+    place = folder / f"frame-{time:.3f}.png"
+    assert main(["build", str(EXAMPLES / "evening.face"), "-o", str(place), "--at", f"{time:.3f}s", "--quiet"]) == 0
+    return np.asarray(iio.imread(place))[..., :3].astype(np.int16)
+
+
+def tiles(difference: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Mean of every whole TILE x TILE square."""
+    rows, columns = (side // TILE for side in difference.shape)
+    cut = difference[: rows * TILE, : columns * TILE]
+    return cut.reshape(rows, TILE, columns, TILE).mean(axis=(1, 3))
+
+
+def test_looks_like_our_frames(evening: Path, tmp_path: Path) -> None:
+    with Page(evening.as_uri()) as page:
+        page.run("(() => { const a = document.querySelector('audio'); if (a) a.pause(); })()")
+        page.run("new Promise(done => setTimeout(done, 300))")
+        duration = float(page.run("document.documentElement.getAttribute('data-duration')"))
+        page.run("document.querySelector('.play').remove(); document.documentElement.pauseAnimations()")
+        boxes = page.run(
+            "[...document.querySelectorAll('.face')].map(g => g.getBoundingClientRect())"
+            ".map(b => [b.left, b.top, b.right, b.bottom])"
+        )
+        assert len(boxes) == 2
+        for time in np.linspace(0.05, 0.97, 10) * duration:
+            page.run(f"document.documentElement.setCurrentTime({time:.3f})")
+            difference = np.abs(page.picture().astype(np.int16) - ours(round(time, 3), tmp_path)).mean(axis=2)
+            for left, top, right, bottom in boxes:
+                part = difference[max(0, int(top)) : int(bottom), max(0, int(left)) : int(right)]
+                assert part.mean() < 2, f"at {time:.3f} s"
+            assert tiles(difference).max() <= 12, f"at {time:.3f} s"
+
+
+def test_keeps_to_its_sound(minute: Path) -> None:
+    with Page(minute.as_uri(), 320, 320) as page:
+        for start in (0, 20, 40, 55):
+            found = np.array(page.run(CLOCKS.replace("FROM", str(start)).replace("COUNT", "150")))
+            assert len(found) >= 100
+            late = found[5:]
+            assert late.max() <= LATE, "the picture is behind"
+            assert late.min() >= -EARLY, "the picture is ahead"
+
+
+def test_plays_without_script(evening: Path, tmp_path: Path) -> None:
+    (tmp_path / "page.html").write_text(f'<img src="{evening.as_uri()}" width="640" height="360">')
+    with Page((tmp_path / "page.html").as_uri(), 640, 360) as page:
+        page.run("new Promise(done => setTimeout(done, 300))")
+        first = page.picture().astype(int)
+        page.run("new Promise(done => setTimeout(done, 900))")
+        assert np.abs(page.picture().astype(int) - first).max() > 20
+
+
+def test_a_click_starts_it_where_sound_is_refused(evening: Path) -> None:
+    with Page(evening.as_uri(), sound=False) as page:
+        page.run("new Promise(done => setTimeout(done, 400))")
+        assert page.run("document.querySelector('audio').paused")
+        assert page.run("document.querySelector('.play').getAttribute('visibility')") == "visible"
+        page.click(640, 360)
+        page.run("new Promise(done => setTimeout(done, 600))")
+        assert not page.run("document.querySelector('audio').paused")
+        assert page.run("document.querySelector('.play').getAttribute('visibility')") == "hidden"
+        assert page.run("document.documentElement.getCurrentTime()") > 0.1
