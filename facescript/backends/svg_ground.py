@@ -1,4 +1,4 @@
-"""The ground over time to SVG: one rectangle of changing colour, and above it what is no colour, as opaque as it shows."""
+"""The ground over time to SVG: a rectangle of changing colour, above it what is no colour, as opaque as it shows."""
 
 from __future__ import annotations
 
