@@ -1,0 +1,107 @@
+"""A score to one face's gaze over time: where the line of sight points, how near it converges, where the head turns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise, zip_longest
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.ir.play import Face
+from facescript.motion.gaze_aims import Bound, in_effect, rest
+from facescript.motion.gaze_curves import Blend, Movement, minimum_jerk_curve, saccade_curve
+from facescript.motion.gaze_eyes import eyes, midline
+from facescript.schedule.score import Score
+from facescript.space.main_sequence import VERGENCE_TIME, vergence_share
+from facescript.space.plan import GazePlan
+from facescript.space.room import Room
+
+__all__ = ["GazeTrack", "eyes", "midline"]
+
+Floats = NDArray[np.float64]
+
+
+class GazeTrack:
+    """One face's gaze as a function of time; no state, any times in any order."""
+
+    def __init__(self, score: Score, face: Face) -> None:
+        room = Room(score.film, score.faces, score.targets)
+        acts = [act for act in score.acts if act.face == face.name and act.plan]
+        self._starts = np.array([scene.start for scene in score.scenes] or [0.0])
+        self._scenes = []
+        for number, start in enumerate(self._starts):
+            planned = [(plan.starts, act.order, plan) for act in acts if act.scene == number for plan in act.plan]
+            plans = [plan for _, _, plan in sorted(planned, key=lambda each: each[:2])]
+            self._scenes.append(_Scene(room, face, float(start), plans))
+
+    def sight(self, times: Floats) -> Floats:
+        """array[n, 3]: yaw and pitch (deg) of the line of sight as drawn, and the distance (cm) of convergence."""
+        return self._sample(times, lambda scene, some: scene.sight(some), 3)
+
+    def head(self, times: Floats) -> Floats:
+        """array[n, 2]: yaw and pitch (deg) of the head."""
+        return self._sample(times, lambda scene, some: scene.head.at(some), 2)
+
+    def _sample(self, times: Floats, values: Callable[[_Scene, Floats], Floats], width: int) -> Floats:
+        order = np.argsort(times, kind="stable")
+        some = np.asarray(times, dtype=np.float64)[order]
+        out = np.empty((len(some), width))
+        cuts = [0, *np.searchsorted(some, self._starts[1:]), len(some)]
+        for scene, low, high in zip(self._scenes, cuts, cuts[1:], strict=False):
+            if high > low:
+                out[order[low:high]] = values(scene, some[low:high])
+        return out
+
+
+class _Scene:
+    """One scene of one face: its shifts laid over one another, for the line of sight, its nearness and the head."""
+
+    def __init__(self, room: Room, face: Face, start: float, plans: list[GazePlan]) -> None:
+        eyes = in_effect((plan for plan in plans if plan.uses_eyes), lambda plan: plan.eye_onset)
+        head = in_effect((plan for plan in plans if plan.uses_head), lambda plan: plan.head_onset)
+        bounds = {id(plan): Bound(room, face, start, plan, until) for plan, until in _untils(eyes, head)}
+        first = rest(room, face, start)
+        targets = [first, *(bounds[id(plan)] for plan in eyes)]
+        self.eyes = Blend(first.eyes, [_saccade(bound) for bound in targets[1:]])
+        self.head = Blend(first.head, [_turn(bounds[id(plan)]) for plan in head])
+        self.nearness = Blend(first.nearness, [_vergence(before, bound) for before, bound in pairwise(targets)])
+
+    def sight(self, times: Floats) -> Floats:
+        return np.concatenate([self.eyes.at(times), 1.0 / self.nearness.at(times)], axis=1)
+
+
+def _untils(eyes: list[GazePlan], head: list[GazePlan]) -> list[tuple[GazePlan, float]]:
+    """Each plan with the time from which nothing of it is left in eyes or head."""
+    until: dict[int, float] = {}
+    for plan, after in zip_longest(eyes, eyes[1:]):
+        until[id(plan)] = after.eye_done + VERGENCE_TIME if after else inf
+    for plan, after in zip_longest(head, head[1:]):
+        until[id(plan)] = max(until.get(id(plan), 0.0), after.head_done if after else inf)
+    return [(plan, until[id(plan)]) for plan in {id(plan): plan for plan in [*eyes, *head]}.values()]
+
+
+def _saccade(bound: Bound) -> Movement:
+    onset, done = bound.plan.eye_onset, bound.plan.eye_done
+    return Movement(onset, done, lambda times: saccade_curve(times, onset, done), bound.eyes)
+
+
+def _turn(bound: Bound) -> Movement:
+    onset, done = bound.plan.head_onset, bound.plan.head_done
+    return Movement(onset, done, lambda times: minimum_jerk_curve(times, onset, done), bound.head)
+
+
+def _vergence(before: Bound, bound: Bound) -> Movement:
+    """The eyes converge anew: in part with the saccade, and slowly for the rest (bar V2)."""
+    plan = bound.plan
+    onset, landed = plan.eye_onset, plan.eye_done
+    done = onset if plan.instant else max(landed, onset + VERGENCE_TIME)
+    converging = bound.sight(onset).distance < before.sight(onset).distance
+    share = vergence_share(plan.amplitude, converging)
+
+    def weight(times: Floats) -> Floats:
+        slow = minimum_jerk_curve(times, onset, done)
+        return slow + share * (saccade_curve(times, onset, landed) - slow)
+
+    return Movement(onset, done, weight, bound.nearness)

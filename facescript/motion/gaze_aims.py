@@ -1,0 +1,72 @@
+"""A planned shift to what eyes and head are bound for: a place once and for all, or a target that is followed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.ir.play import Face
+from facescript.ir.values import AtCamera
+from facescript.motion.gaze_curves import still
+from facescript.motion.gaze_pursuit import AFTER, Following, follow
+from facescript.space.plan import GazePlan
+from facescript.space.reach import head_goal, within
+from facescript.space.room import Room, Sight
+
+Floats = NDArray[np.float64]
+
+
+class Bound:
+    """What one plan is bound for, as courses over the film's time; a pursuit is worked out when first asked for."""
+
+    def __init__(self, room: Room, face: Face, scene: float, plan: GazePlan, until: float) -> None:
+        self.room, self.face, self.scene, self.plan, self.until = room, face, scene, plan, until
+
+    def sight(self, time: float) -> Sight:
+        """The line of sight to the target itself, within reach, at a time of the film."""
+        sight = self.room.sight(self.face.name, self.plan.aim, time - self.scene)
+        return Sight(*within((sight.yaw, sight.pitch)), sight.distance)
+
+    def eyes(self, times: Floats) -> Floats:
+        """array[n, 2]: yaw and pitch of the line of sight."""
+        return self._following.eyes(times)
+
+    def head(self, times: Floats) -> Floats:
+        """array[n, 2]: yaw and pitch of the head."""
+        return self._following.head(times)
+
+    def nearness(self, times: Floats) -> Floats:
+        """array[n, 1]: 1/distance (1/cm) at which the eyes converge."""
+        return self._following.nearness(times)
+
+    @cached_property
+    def _following(self) -> Following:
+        moving = self.room.moving(self.plan.aim)
+        start = self.plan.starts
+        if moving and start < (last := self.scene + moving.times[-1] + AFTER):
+            return follow(self.sight, self._head_goal, start, min(last, self.until))
+        sight = self.sight(start)
+        place = sight.yaw, sight.pitch
+        return Following(still(place), [], still(self._head_goal(place)), still([1.0 / sight.distance]))
+
+    def _head_goal(self, direction: tuple[float, float]) -> tuple[float, float]:
+        return head_goal(direction, self.plan.head_share, self.plan.head_from)
+
+
+def rest(room: Room, face: Face, scene: float) -> Bound:
+    """What every scene begins with: the camera."""
+    plan = GazePlan(AtCamera(), "eyes then head", scene, scene, scene, scene, (0.0, 0.0), 0.0)
+    return Bound(room, face, scene, plan, scene)
+
+
+def in_effect(plans: Iterable[GazePlan], onset: Callable[[GazePlan], float]) -> list[GazePlan]:
+    """The plans without those that a later one overtakes before they set off."""
+    kept: list[GazePlan] = []
+    for plan in plans:
+        while kept and onset(kept[-1]) >= plan.starts:
+            kept.pop()
+        kept.append(plan)
+    return kept

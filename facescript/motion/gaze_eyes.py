@@ -1,0 +1,82 @@
+"""A line of sight and the head's pose to both eyes in the head, and back: the eyes to where they point in the room.
+
+Angles are in deg: yaw + to the viewer's right, pitch + up, roll + clockwise for the viewer. A pose turns by yaw, then
+pitch, then roll, each about the axes it has by then. The face's left eye is on the viewer's right.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.space.reach import EYE_DOWN, EYE_SIDE, EYE_UP
+
+Floats = NDArray[np.float64]
+
+APART_CM = 6.3
+"""The distance of the eyes in the room, whatever the face's size, cm."""
+
+KNEE = 0.95
+"""From this part of their reach on the eyes are slowed, so that they come to its end without a jolt."""
+
+
+def eyes(sight: Floats, head_pose: Floats) -> Floats:
+    """Both eyes in the head: array[n, 2, 3], left and right; yaw, pitch, roll.
+
+    `sight` is array[n, 3]: yaw and pitch of the line of sight in the room and the distance (cm) at which both eyes
+    converge; `head_pose` is array[n, 3]: yaw, pitch, roll as drawn. Each eye points at the one point there is,
+    within its reach (bars S8, V1); the head's own motion is undone at once (VOR of gain 1, bars H7, H8). Roll is
+    Listing's: an eye has none but what its yaw and pitch bring about.
+    """
+    target = _to_head(_vectors(sight[:, 0], sight[:, 1]), head_pose) * sight[:, 2:3]
+    sides = np.array([[APART_CM / 2, 0.0, 0.0], [-APART_CM / 2, 0.0, 0.0]])
+    to_target = target[:, None, :] - sides
+    yaw, pitch = _within_reach(*_angles(to_target))
+    roll = np.degrees(2.0 * np.arctan(np.tan(np.radians(yaw) / 2.0) * np.tan(np.radians(pitch) / 2.0)))
+    return np.stack([yaw, pitch, roll], axis=-1)
+
+
+def midline(eye_angles: Floats, head_pose: Floats) -> Floats:
+    """Where the eyes' midline points in the room: array[n, 2], yaw and pitch; the inputs are as `eyes` has them."""
+    both = eye_angles[:, :, :2].mean(axis=1)
+    return np.stack(_angles(_to_room(_vectors(both[:, 0], both[:, 1]), head_pose)), axis=-1)
+
+
+def _within_reach(yaw: Floats, pitch: Floats) -> tuple[Floats, Floats]:
+    extent = np.hypot(yaw / EYE_SIDE, pitch / np.where(pitch > 0, EYE_UP, EYE_DOWN))
+    room = 1.0 - KNEE
+    bent = np.where(extent > KNEE, KNEE + room * np.tanh((extent - KNEE) / room), extent)
+    scale = bent / np.maximum(extent, 1e-9)
+    return yaw * scale, pitch * scale
+
+
+def _vectors(yaw: Floats, pitch: Floats) -> Floats:
+    """Unit vectors array[n, 3] (x to the viewer's right, y up, z to the viewer) of directions."""
+    y, p = np.radians(yaw), np.radians(pitch)
+    return np.stack([np.sin(y) * np.cos(p), np.sin(p), np.cos(y) * np.cos(p)], axis=-1)
+
+
+def _angles(vectors: Floats) -> tuple[Floats, Floats]:
+    x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
+    return np.degrees(np.arctan2(x, z)), np.degrees(np.arctan2(y, np.hypot(x, z)))
+
+
+def _matrices(pose: Floats) -> Floats:
+    """Rotations array[n, 3, 3] of poses (yaw, pitch, roll) from the head to the room."""
+    (sy, sp, sr), (cy, cp, cr) = np.sin(np.radians(pose.T)), np.cos(np.radians(pose.T))
+    nil, one = np.zeros_like(sy), np.ones_like(sy)
+    yaw = np.array([[cy, nil, sy], [nil, one, nil], [-sy, nil, cy]])
+    pitch = np.array([[one, nil, nil], [nil, cp, sp], [nil, -sp, cp]])
+    roll = np.array([[cr, sr, nil], [-sr, cr, nil], [nil, nil, one]])
+    turned: Floats = np.einsum("ijn,jkn,kln->nil", yaw, pitch, roll)
+    return turned
+
+
+def _to_room(vectors: Floats, pose: Floats) -> Floats:
+    turned: Floats = np.einsum("nij,nj->ni", _matrices(pose), vectors)
+    return turned
+
+
+def _to_head(vectors: Floats, pose: Floats) -> Floats:
+    turned: Floats = np.einsum("nji,nj->ni", _matrices(pose), vectors)
+    return turned

@@ -1,0 +1,187 @@
+"""A moving target to how eyes and head follow it: smooth pursuit, catch-up saccades, a head that comes after.
+
+The model of motion.md section 4, run once on a fixed grid from the moment the look begins, so that what comes out is
+a function of time. The eyes match the velocity seen 130 ms ago, carried on by its acceleration, with a gain that falls
+with speed (bars P1, P2); where the error seen 180 ms ago is too large they jump to where the target will be (bars P3,
+S7).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from itertools import pairwise
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.motion.gaze_curves import Course, saccade_curve, through
+from facescript.space.main_sequence import saccade_part, saccade_time
+from facescript.space.reach import Direction
+from facescript.space.room import Sight
+
+Floats = NDArray[np.float64]
+
+STEP = 0.005
+"""The grid, s."""
+
+PURSUIT_STEPS, SACCADE_STEPS, VERGENCE_STEPS = 26, 36, 30
+"""Delays of pursuit, of a catch-up saccade and of vergence (130, 180, 150 ms), in steps."""
+
+SMOOTHING = 0.03
+"""Time constant with which the eyes take up a new velocity, s."""
+
+FASTEST = 100.0
+"""A target faster than this has jumped: no pursuit, a saccade only, deg/s."""
+
+FORESEEN = 50.0
+"""The acceleration that is carried on at most, deg/s^2: smooth motion is foreseen, a sudden start is not."""
+
+REST = 0.15
+"""Between two catch-up saccades, s."""
+
+HEAD_RATE = 8.0
+"""How fast the head closes up with its moving goal (critically damped), 1/s."""
+
+AFTER = 2.0
+"""How long the following goes on after the target has come to rest, s."""
+
+Pair = tuple[float, float]
+
+
+def gain(speed: float) -> float:
+    """Pursuit gain: 0.98 up to 10 deg/s, falling to 0.75 at 60 deg/s and on (bar P2)."""
+    return 0.98 - 0.23 * min(1.0, max(0.0, (speed - 10.0) / 50.0))
+
+
+def tolerated(speed: float) -> float:
+    """The error that draws no catch-up saccade from a target of `speed` deg/s, in deg."""
+    return min(2.0, 0.5 + 0.1 * speed)
+
+
+@dataclass(slots=True)
+class Following:
+    """How a target is followed: the eyes' smooth course, catch-up saccades (onset, done, way), the head's course, and
+    the course of the nearness, 1/distance in 1/cm, at which the eyes converge. Times are the film's."""
+
+    smooth: Course
+    saccades: list[tuple[float, float, Pair]]
+    head: Course
+    nearness: Course
+
+    def eyes(self, times: Floats) -> Floats:
+        """Yaw and pitch of the line of sight: array[n, 2]."""
+        values = self.smooth(times)
+        for onset, done, way in self.saccades:
+            first = np.searchsorted(times, onset)
+            values[first:] += saccade_curve(times[first:], onset, done)[:, None] * np.array(way)
+        return values
+
+
+@dataclass(slots=True)
+class _Eyes:
+    """The state of the eyes at one step: smooth position and velocity, the saccades made, when the next may be."""
+
+    place: Pair
+    speed: Pair
+    ready: float
+    jumped: Pair = (0.0, 0.0)
+    saccades: list[tuple[float, float, Pair]] = field(default_factory=list)
+
+    def total(self, time: float) -> Pair:
+        """Where the eyes are, the saccade under way included."""
+        x, y = self.place[0] + self.jumped[0], self.place[1] + self.jumped[1]
+        if self.saccades and time < self.saccades[-1][1]:
+            onset, done, way = self.saccades[-1]
+            ahead = 1.0 - saccade_part((time - onset) / (done - onset), done - onset)
+            return x - ahead * way[0], y - ahead * way[1]
+        return x, y
+
+
+def follow(
+    sight: Callable[[float], Sight], head_goal: Callable[[Direction], Direction], start: float, end: float
+) -> Following:
+    """Follow `sight` (film's time to the line of sight to the target) from `start`, when the eyes have it, to `end`."""
+    count = max(2, int((end - start) / STEP) + 2)
+    before = SACCADE_STEPS + 2
+    seen = [sight(start + step * STEP) for step in range(-before, count)]
+    target = _Target([(s.yaw, s.pitch) for s in seen], before)
+    state = _Eyes(target.place[before], target.foreseen(0, PURSUIT_STEPS)[1], start)
+    places, heads = [], []
+    head, turning = head_goal(state.place), (0.0, 0.0)
+    for step in range(count):
+        time = start + step * STEP
+        places.append(state.place)
+        heads.append(head)
+        _advance(state, target, step, time)
+        head, turning = _turn(head, turning, head_goal(state.total(time + STEP)))
+    nearness = np.array([[1.0 / s.distance] for s in seen[before - VERGENCE_STEPS : len(seen) - VERGENCE_STEPS]])
+    return Following(
+        through(start, STEP, np.array(places)),
+        state.saccades,
+        through(start, STEP, np.array(heads)),
+        through(start, STEP, nearness),
+    )
+
+
+class _Target:
+    """The target's way on the grid: its places, velocities and accelerations, as far as an eye can tell."""
+
+    def __init__(self, place: list[Pair], before: int) -> None:
+        self.place, self.before = place, before
+        self.speed = [(0.0, 0.0)]
+        for one, other in pairwise(place):
+            speed = (other[0] - one[0]) / STEP, (other[1] - one[1]) / STEP
+            self.speed.append(speed if hypot(*speed) < FASTEST else (0.0, 0.0))
+        self.speed[0] = self.speed[1]
+
+    def foreseen(self, step: int, delay: int) -> tuple[Pair, Pair]:
+        """The place and velocity to be expected at `step` from what was seen `delay` steps before."""
+        at = step + self.before - delay
+        (x, y), (u, v), (u0, v0) = self.place[at], self.speed[at], self.speed[at - 1]
+        a, b = _at_most((u - u0) / STEP, (v - v0) / STEP, FORESEEN)
+        t = delay * STEP
+        return (x + t * u + t * t * a / 2, y + t * v + t * t * b / 2), (u + t * a, v + t * b)
+
+
+def _advance(eyes: _Eyes, target: _Target, step: int, time: float) -> None:
+    """One step of the eyes: a catch-up saccade where one is due, and smooth pursuit."""
+    x, y = eyes.total(time)
+    (px, py), (u, v) = target.foreseen(step, PURSUIT_STEPS)
+    speed = hypot(u, v)
+    slow = _at_most(2.0 * (px - x), 2.0 * (py - y), 0.3 + 0.03 * speed)
+    wanted = gain(speed) * u + slow[0], gain(speed) * v + slow[1]
+    if time >= eyes.ready:
+        _catch_up(eyes, target, step, time)
+    share = STEP / SMOOTHING
+    old = eyes.speed
+    eyes.speed = old[0] + share * (wanted[0] - old[0]), old[1] + share * (wanted[1] - old[1])
+    half = STEP / 2
+    eyes.place = eyes.place[0] + half * (old[0] + eyes.speed[0]), eyes.place[1] + half * (old[1] + eyes.speed[1])
+
+
+def _catch_up(eyes: _Eyes, target: _Target, step: int, time: float) -> None:
+    """A saccade to where the target will be when it lands, if the error seen is more than is tolerated."""
+    (px, py), (u, v) = target.foreseen(step, SACCADE_STEPS)
+    x, y = eyes.total(time)
+    error = px - x, py - y
+    if hypot(*error) <= tolerated(hypot(u, v)):
+        return
+    lasts = saccade_time(hypot(*error))
+    way = error[0] + lasts * (u - eyes.speed[0]), error[1] + lasts * (v - eyes.speed[1])
+    eyes.saccades.append((time, time + lasts, way))
+    eyes.jumped = eyes.jumped[0] + way[0], eyes.jumped[1] + way[1]
+    eyes.ready = time + lasts + REST
+
+
+def _turn(head: Pair, turning: Pair, goal: Direction) -> tuple[Pair, Pair]:
+    """One step of the head towards its goal, critically damped."""
+    pull = [HEAD_RATE * HEAD_RATE * (g - h) - 2 * HEAD_RATE * t for g, h, t in zip(goal, head, turning, strict=True)]
+    turning = turning[0] + STEP * pull[0], turning[1] + STEP * pull[1]
+    return (head[0] + STEP * turning[0], head[1] + STEP * turning[1]), turning
+
+
+def _at_most(x: float, y: float, limit: float) -> Pair:
+    size = hypot(x, y)
+    return (x, y) if size <= limit else (x * limit / size, y * limit / size)
