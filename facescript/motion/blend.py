@@ -1,0 +1,91 @@
+"""The rules of the blending law (`language.md`), each from what is asked for to what is drawn.
+
+Every function is pure and works row by row in time, so that each rule can be tested, and asked about, alone.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from facescript.motion.drivers import Floats
+from facescript.space.reach import EYE_DOWN, EYE_SIDE, EYE_UP
+
+KNEE = 0.8
+"""A muscle's contraction up to which the soft limit changes nothing."""
+
+LID_FLOOR = -0.35
+"""The widest a lid opens: 1 is shut, 0 open at rest."""
+
+LID_TRAVEL = 48.0
+"""Degrees the upper lid turns from rest to shut (a voluntary blink: 43.1 +- 7.9; `motion.md` 5)."""
+
+LID_GAIN = 0.95
+"""Degrees a lid turns for a degree of the eye's pitch (bar B7: 0.85 to 1.1)."""
+
+WIDENED, PRESSED = 0.4, 0.5
+"""How much an open mouth or jaw that is shown widens those of speech, and pressed lips narrow them."""
+
+
+def soft_limit(value: Floats) -> Floats:
+    """Rule 1: contraction within 0..1; the identity from 0 to 0.8, above it 0.8 + 0.2 tanh((x - 0.8) / 0.2)."""
+    value = np.asarray(value, dtype=np.float64)
+    bent = KNEE + (1.0 - KNEE) * np.tanh((value - KNEE) / (1.0 - KNEE))
+    return np.maximum(np.where(value <= KNEE, value, bent), 0.0)
+
+
+def lid_limit(value: Floats) -> Floats:
+    """Rule 1 for a lid that an expression shuts or widens: as a muscle's, but down to `LID_FLOOR`."""
+    value = np.asarray(value, dtype=np.float64)
+    return np.where(value < 0.0, np.maximum(value, LID_FLOOR), soft_limit(value))
+
+
+def blink_together(*blinks: Floats) -> Floats:
+    """Blinks that overlap: what each leaves open, multiplied; 0 open, 1 shut."""
+    left = np.ones_like(blinks[0])
+    for blink in blinks:
+        left = left * (1.0 - np.clip(blink, 0.0, 1.0))
+    return 1.0 - left
+
+
+def lid_opening(lid: Floats, blink: Floats) -> Floats:
+    """Rule 2: the opening (1 at rest, 0 shut) that an expression's lid and a blink leave."""
+    return (1.0 - lid) * (1.0 - blink)
+
+
+def gaze_on_lid(pitch: Floats) -> Floats:
+    """Rule 2: the opening's factor for an eye turned up by `pitch` deg: up widens, down closes, never wholly."""
+    shift = np.asarray(pitch, dtype=np.float64) * (LID_GAIN / LID_TRAVEL)
+    return 1.0 - LID_FLOOR * soft_limit(shift / -LID_FLOOR) - soft_limit(-shift)
+
+
+def lid_drawn(lid: Floats, blink: Floats, pitch: Floats) -> Floats:
+    """Rule 2 as a whole: the channel `lid.*`. Shut lids stay shut wherever the eye turns."""
+    return np.clip(1.0 - lid_opening(lid, blink) * gaze_on_lid(pitch), LID_FLOOR, 1.0)
+
+
+def speak_over(shown: Floats, spoken: Floats, activity: Floats, pressed: Floats) -> Floats:
+    """Rule 3: lip gap or jaw drop. As far as speech sounds (`activity` 0..1) it owns them.
+
+    What is `shown` widens what is spoken and `pressed` lips (0..1) narrow it; where speech closes, it is 0.
+    """
+    wider = 1.0 + WIDENED * np.clip(shown, 0.0, 1.0)
+    narrower = 1.0 - PRESSED * np.clip(pressed, 0.0, 1.0)
+    return shown * (1.0 - activity) + spoken * wider * narrower * activity
+
+
+def add_within(base: Floats, added: Floats, low: float, high: float) -> Floats:
+    """Rule 6, and whatever lays one thing over another in a range: `base` as it is, and what is `added` to it.
+
+    That is the identity up to 0.8 of the room that `base` leaves towards `low` or `high`, bends, and never leaves it.
+    """
+    room = np.maximum(np.where(added > 0.0, high - base, base - low), 1e-9)
+    return base + np.sign(added) * room * soft_limit(np.abs(added) / room)
+
+
+def eyes_within(angles: Floats) -> Floats:
+    """Eyes in the head, array[n, 2, 3], kept inside the ellipse that they reach."""
+    yaw, pitch = angles[..., 0], angles[..., 1]
+    extent = np.hypot(yaw / EYE_SIDE, pitch / np.where(pitch > 0.0, EYE_UP, EYE_DOWN))
+    kept = angles.copy()
+    kept[..., :2] /= np.maximum(extent, 1.0)[..., None]
+    return kept

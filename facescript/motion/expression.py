@@ -1,0 +1,194 @@
+"""Turns the shows, adds and drops of a face into what its expression asks of every driver at any time.
+
+The base is a chain, `base_i = base_(i-1) (1 - w_i) + mix_i w_i`, w_i the weight of the i-th show, so a change that is
+interrupted goes on from where it is; what is added is summed on top. Between two breakpoints (where a change starts or
+ends) only the layers that can be seen are kept, so a long script costs no more per frame than a short one.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from facescript.ir.acts import Add, Drop, Show
+from facescript.motion.drivers import ROWS, Drive, Floats, number, term_column
+from facescript.performance.curves import Ramp
+from facescript.performance.easing import easing
+from facescript.schedule.score import TimedAct
+
+Drops = Mapping[tuple[int, int], tuple[Ramp, ...]]
+"""The falls of each term, by its act's order and its index in the sum."""
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A term of a layer: what it asks at its apex, array[row], and the drops that take it away."""
+
+    column: Floats
+    drops: tuple[Ramp, ...]
+
+    def at(self, times: Floats) -> Drive:
+        left = np.ones_like(times)
+        for drop in self.drops:
+            left = left * (1.0 - drop.at(times))
+        return self.column[:, None] * left
+
+
+@dataclass(frozen=True, slots=True)
+class Layer:
+    """One show (`base`) or add: it rises, holds, and falls; seconds from the film's start."""
+
+    base: bool
+    rise: Ramp
+    fall: Ramp
+    parts: tuple[Part, ...]
+
+    def weight(self, times: Floats) -> Floats:
+        return self.rise.at(times) * (1.0 - self.fall.at(times))
+
+    def mix(self, times: Floats) -> Drive:
+        return sum((part.at(times) for part in self.parts), np.zeros((len(ROWS), len(times))))
+
+    @property
+    def changes(self) -> Iterator[Ramp]:
+        yield self.rise
+        yield self.fall
+        for part in self.parts:
+            yield from part.drops
+
+    @property
+    def kept(self) -> bool:
+        """Whether it stays as it is once it has risen."""
+        return self.fall.start == np.inf and not any(part.drops for part in self.parts)
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """The expression from `start` to the next piece; `settled`, array[row], sums up what no longer changes."""
+
+    start: float
+    layers: tuple[Layer, ...]
+    settled: Floats
+    moving: bool
+
+    def at(self, times: Floats) -> Drive:
+        base = np.zeros((len(ROWS), len(times)))
+        top = np.repeat(self.settled[:, None], len(times), axis=1)
+        for layer in self.layers:
+            weight = layer.weight(times)
+            if layer.base:
+                base = base * (1.0 - weight) + layer.mix(times) * weight
+            else:
+                top = top + layer.mix(times) * weight
+        return base + top
+
+
+class Expression:
+    """What one face shows in one scene."""
+
+    def __init__(self, acts: Sequence[TimedAct], start: float, end: float) -> None:
+        """`acts` are the face's in the scene, sorted by (start, order); it is neutral at the scene's `start`."""
+        self._pieces = scene_pieces(acts, start, end)
+        self._starts = np.array([piece.start for piece in self._pieces])
+        self._moving = [index for index, piece in enumerate(self._pieces) if piece.moving]
+        still = [piece.settled if piece.moving else _still(piece) for piece in self._pieces]
+        self._still = np.stack(still, axis=1)
+
+    def at(self, times: Floats) -> Drive:
+        """What it asks at `times` (sorted): array[row, time]."""
+        edges = np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
+        drive = self._still[:, edges]
+        if not len(times):
+            return drive
+        for index in self._moving[bisect_left(self._moving, edges[0]) : bisect_right(self._moving, edges[-1])]:
+            first, last = np.searchsorted(edges, [index, index + 1])
+            if first < last:
+                drive[:, first:last] = self._pieces[index].at(times[first:last])
+        return drive
+
+
+def _still(piece: Piece) -> Floats:
+    return piece.at(np.array([piece.start]))[:, 0] if piece.layers else piece.settled
+
+
+def scene_pieces(acts: Sequence[TimedAct], start: float, end: float) -> tuple[Piece, ...]:
+    """The pieces of one scene for the acts of one face in it; the first starts at `start`, the last ends at `end`."""
+    drops = _drops(acts)
+    layers = [layer(act, drops) for act in acts if isinstance(act.verb, (Show, Add))]
+    cuts = {edge for item in layers for ramp in item.changes for edge in (ramp.start, ramp.end)}
+    return tuple(_pieces(layers, [start, *sorted(cut for cut in cuts if start < cut < end), end]))
+
+
+def layer(act: TimedAct, drops: Drops) -> Layer:
+    """A show or add as a layer. It is at its apex before it lets go, however short it is."""
+    assert isinstance(act.verb, (Show, Add))
+    timing, curve = act.verb.timing, easing(act.verb.timing.ease)
+    over = act.settled - act.start if timing.over is None else number(timing.over)
+    parts = tuple(
+        Part(term_column(term), drops.get((act.order, index), ())) for index, term in enumerate(act.verb.mix.terms)
+    )
+    rise = Ramp(act.start, min(act.start + over, act.released), curve)
+    return Layer(isinstance(act.verb, Show), rise, Ramp(act.released, act.end, curve), parts)
+
+
+def _drops(acts: Iterable[TimedAct]) -> Drops:
+    falls: dict[tuple[int, int], tuple[Ramp, ...]] = {}
+    for act in acts:
+        if isinstance(act.verb, Drop):
+            fall = Ramp(act.start, act.settled, easing(act.verb.timing.ease))
+            for key in act.drops:
+                falls[key] = (*falls.get(key, ()), fall)
+    return falls
+
+
+def _pieces(layers: list[Layer], edges: list[float]) -> Iterator[Piece]:
+    """One piece between each two edges; `layers` in the order of their starts."""
+    live: list[Layer] = []
+    settled = np.zeros(len(ROWS))
+    coming = 0
+    for start, end in pairwise(edges):
+        while coming < len(layers) and layers[coming].rise.start <= start:
+            live.append(layers[coming])
+            coming += 1
+        live = [item for item in live if _matters(item, start)]
+        for item in live:
+            if _folds(item, start):
+                settled = settled + item.mix(np.array([start]))[:, 0]
+        live = _uncovered([item for item in live if not _folds(item, start)], start)
+        seen = tuple(_visible(live, start, end))
+        yield Piece(start, seen, settled, any(_moves(ramp, start) for item in seen for ramp in item.changes))
+
+
+def _moves(ramp: Ramp, start: float) -> bool:
+    """Whether a ramp is under way in the piece that starts at `start` (a ramp's ends are edges of pieces)."""
+    return ramp.start <= start < ramp.end
+
+
+def _matters(item: Layer, start: float) -> bool:
+    """Whether a layer can still be seen: a show has not let go, an add has also not been dropped."""
+    if item.fall.end <= start:
+        return False
+    return item.base or not all(any(drop.end <= start for drop in part.drops) for part in item.parts)
+
+
+def _folds(item: Layer, start: float) -> bool:
+    return not item.base and item.kept and item.rise.end <= start
+
+
+def _uncovered(live: list[Layer], start: float) -> list[Layer]:
+    """Without the shows that a later one has covered for ever."""
+    covers = [index for index, item in enumerate(live) if item.base and item.fall.start == np.inf]
+    covers = [index for index in covers if live[index].rise.end <= start]
+    last = covers[-1] if covers else 0
+    return [item for index, item in enumerate(live) if index >= last or not item.base]
+
+
+def _visible(live: list[Layer], start: float, end: float) -> Iterator[Layer]:
+    """The layers that a piece shows: a show that holds through all of it hides those before it."""
+    holds = [i for i, item in enumerate(live) if item.base and item.rise.end <= start and item.fall.start >= end]
+    last = holds[-1] if holds else 0
+    return (item for index, item in enumerate(live) if index >= last or not item.base)

@@ -1,0 +1,98 @@
+"""Turns the lives of a face in a scene into what they ask of every driver at any time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from facescript.ir.acts import Life, SetLife
+from facescript.ir.values import Amount, Draw
+from facescript.motion.dice import Dice
+from facescript.motion.drivers import ROWS, Drive, Floats, number
+from facescript.motion.life_away import averts
+from facescript.motion.life_blinks import blinks
+from facescript.motion.life_brows import brows
+from facescript.motion.life_head import head, nods
+from facescript.motion.life_model import Behaviour, Living, Moved
+from facescript.motion.life_saccades import saccades
+from facescript.performance.curves import Ramp
+from facescript.schedule.score import TimedAct, TimedLine
+
+BEHAVIOURS: tuple[Behaviour, ...] = (blinks, brows, head, nods, saccades, averts)
+"""All that a living face does unasked; a behaviour without its knob does nothing."""
+
+QUIETING = 0.4
+"""Seconds that an old life takes at least to come to rest: a head does not jump."""
+
+
+@dataclass(frozen=True, slots=True)
+class Spell:
+    """One life from its start until it has faded away."""
+
+    start: float
+    end: float
+    fades: tuple[Ramp, Ramp]
+    moves: tuple[Moved, ...]
+
+    def drive(self, times: Floats, drive: Drive) -> None:
+        """Add what it asks at `times` to `drive`, array[row, time]."""
+        weight = self.fades[0].at(times) * (1.0 - self.fades[1].at(times))
+        for item in self.moves:
+            values = item.curve.at(times) * weight
+            for row, gain in item.gains:
+                drive[row] += gain * values
+
+
+class Lives:
+    """What the lives of one face in one scene ask."""
+
+    def __init__(self, spells: Sequence[Spell]) -> None:
+        self._spells = tuple(spells)
+
+    def at(self, times: Floats) -> Drive:
+        """What they ask at `times` (sorted): array[row, time]; rows `gaze.*` move the line of sight."""
+        drive = np.zeros((len(ROWS), len(times)))
+        for spell in self._spells:
+            window = slice(*np.searchsorted(times, [spell.start, spell.end]))
+            if window.start < window.stop:
+                spell.drive(times[window], drive[:, window])
+        return drive
+
+
+def lives(
+    first: Life, acts: Sequence[TimedAct], lines: Sequence[TimedLine], start: float, end: float, dice: Dice
+) -> Lives:
+    """The lives of a face in a scene from `start` to `end` seconds: `first`, and what its `life` statements say after.
+
+    `acts` and `lines` are the face's own in the scene, in time order.
+    """
+    return Lives(tuple(_spells(first, acts, lines, start, end, dice)))
+
+
+def _spells(
+    first: Life, acts: Sequence[TimedAct], lines: Sequence[TimedLine], start: float, end: float, dice: Dice
+) -> Iterator[Spell]:
+    changes = [(act.start, number(act.verb.over), act.verb.life) for act in acts if isinstance(act.verb, SetLife)]
+    changes = [(start, 0.0, first), *changes]
+    for index, (begun, over, life) in enumerate(changes):
+        ended, fade = changes[index + 1][:2] if index + 1 < len(changes) else (end, 0.0)
+        if ended <= begun:
+            continue
+        own = Dice(dice.seed, (*dice.place, index))
+        living = Living(life.name, _knobs(life, own), begun, ended, own, acts, lines)
+        moves = tuple(item for behaviour in BEHAVIOURS for item in behaviour(living))
+        gone = ended + max(fade, QUIETING)
+        yield Spell(begun, gone, (Ramp(begun, begun + over), Ramp(ended, gone)), moves)
+
+
+def _knobs(life: Life, dice: Dice) -> dict[str, float]:
+    """The knobs with their draws drawn."""
+    return {name: _drawn(amount, dice, index) for index, (name, amount) in enumerate(life.knobs)}
+
+
+def _drawn(amount: Amount, dice: Dice, index: int) -> float:
+    if isinstance(amount, Draw):
+        return dice.between(amount.low, amount.high, "knob", index, "draw")
+    return number(amount)

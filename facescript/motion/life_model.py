@@ -1,0 +1,104 @@
+"""What the behaviours of a life have in common: what they know of their scene, and the movements they make of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from facescript.motion.dice import Dice, Event
+from facescript.motion.drivers import ROWS, Floats
+from facescript.performance.curves import Curve, Pulses, Steps
+from facescript.performance.easing import Easing, smooth
+from facescript.schedule.score import TimedAct, TimedLine
+
+ANNOUNCER = "announcer"
+"""The preset whose intervals are the third seed's (`thesis`, chapter 4)."""
+
+PAUSE = 0.12
+"""Seconds of silence inside a line that make a pause; shorter ones are closures of the consonants."""
+
+
+@dataclass(frozen=True, slots=True)
+class Living:
+    """One life of one face from `start` to `end` (seconds from the film's start) in a scene.
+
+    `knobs` are in base units (`ir.acts.Life`), `acts` and `lines` the face's own in that scene.
+    """
+
+    preset: str
+    knobs: dict[str, float]
+    start: float
+    end: float
+    dice: Dice
+    acts: Sequence[TimedAct]
+    lines: Sequence[TimedLine]
+
+    def knob(self, name: str) -> float:
+        """A knob, 0 where the life has none of it."""
+        return max(0.0, self.knobs.get(name, 0.0))
+
+    @property
+    def announcing(self) -> bool:
+        return self.preset == ANNOUNCER
+
+
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """A curve and what it moves: the rows of a drive, and how much of the curve each takes."""
+
+    curve: Curve
+    gains: tuple[tuple[int, float], ...]
+
+
+Behaviour = Callable[[Living], Iterable[Moved]]
+"""Turns a life into movements: nothing where its knob is 0."""
+
+
+def moved(curve: Curve, **gains: float) -> Moved:
+    """A curve on drivers by name, a dot written as `_`."""
+    return Moved(curve, tuple((ROWS[name.replace("_", ".")], gain) for name, gain in gains.items()))
+
+
+def pulses(found: Iterable[Event], height: Callable[[int], float], profile: Easing) -> Pulses:
+    """Movements there and back, `height(k)` high."""
+    kept = tuple(found)
+    starts, lengths = _columns(kept)
+    return Pulses(starts, lengths, np.array([height(event.index) for event in kept]), profile)
+
+
+def steps(found: Iterable[Event], pose: Callable[[int], float], ease: Easing = smooth) -> Steps:
+    """Movements from pose to pose, `pose(k)` at the end of event k."""
+    kept = tuple(found)
+    starts, lengths = _columns(kept)
+    return Steps(starts, lengths, np.array([pose(event.index) for event in kept]), ease)
+
+
+def _columns(found: Sequence[Event]) -> tuple[Floats, Floats]:
+    starts = np.array([event.start for event in found])
+    return starts, np.array([event.end - event.start for event in found])
+
+
+def speech(line: TimedLine) -> Iterator[tuple[float, float]]:
+    """Where a line sounds, seconds from the film's start: stretches without a pause in them."""
+    phones = [(phone.start, phone.end) for phone in line.spoken.phones if phone.symbol]
+    words = [(word.start, word.end) for word in line.spoken.words]
+    begun = ended = None
+    for first, last in phones or words or [(0.0, line.spoken.duration)]:
+        first, last = line.start + first, min(line.start + last, line.end)
+        if first >= line.end:
+            break
+        if begun is None or ended is None:
+            begun = first
+        elif first - ended >= PAUSE:
+            yield begun, ended
+            begun = first
+        ended = last
+    if begun is not None and ended is not None:
+        yield begun, ended
+
+
+def pauses(lines: Iterable[TimedLine]) -> Iterator[float]:
+    """When speech comes to a pause, seconds: inside the lines and at their ends."""
+    return (ended for line in lines for _, ended in speech(line))

@@ -1,0 +1,92 @@
+"""Turns a score into a performance: every seen face's channels as pure functions of time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from facescript.ir.play import Face
+from facescript.motion.compose import Asked, compose
+from facescript.motion.dice import Dice
+from facescript.motion.drivers import ROWS, Floats
+from facescript.motion.expression import Expression
+from facescript.motion.gaze import GazeTrack
+from facescript.motion.gesture import Gestures
+from facescript.motion.life import Lives, lives
+from facescript.motion.mouth import MouthTrack
+from facescript.performance.channels import NAMES
+from facescript.performance.performance import FaceCurves, Frames, Performance
+from facescript.schedule.score import Score, TimedScene
+
+
+def perform(score: Score) -> Performance:
+    """The curves of all seen faces."""
+    faces: dict[str, FaceCurves] = {face.name: FaceMotion(score, face) for face in score.faces if face.seen}
+    return Performance(faces, score.duration)
+
+
+@dataclass(frozen=True, slots=True)
+class SceneMotion:
+    """What one face does in one scene besides gaze and speech; the scene holds until the next one starts (seconds)."""
+
+    start: float
+    end: float
+    expression: Expression
+    gestures: Gestures
+    lives: Lives
+
+
+class FaceMotion:
+    """One face over the whole film. Its sources stay apart in `asked`, so that each can be looked at alone."""
+
+    def __init__(self, score: Score, face: Face) -> None:
+        self._scenes = tuple(_scenes(score, face))
+        self._gaze = GazeTrack(score, face)
+        self._mouth = MouthTrack(tuple(line for line in score.lines if line.face == face.name))
+
+    def sample(self, times: Floats) -> Frames:
+        """Poses at `times` (seconds, any order): array[len(times), len(NAMES)]."""
+        times = np.ascontiguousarray(times, dtype=np.float64)
+        if np.all(times[1:] >= times[:-1]):
+            return compose(self.asked(times))
+        order = np.argsort(times, kind="stable")
+        frames = np.empty((len(times), len(NAMES)))
+        frames[order] = compose(self.asked(times[order]))
+        return frames
+
+    def asked(self, times: Floats) -> Asked:
+        """What each source asks at `times` (sorted), before the law blends them."""
+        expression, gestures, life = (np.zeros((len(ROWS), len(times))) for _ in range(3))
+        for scene in self._scenes:
+            window = slice(*np.searchsorted(times, [scene.start, scene.end]))
+            if window.start < window.stop:
+                expression[:, window] = scene.expression.at(times[window])
+                gestures[:, window] = scene.gestures.at(times[window])
+                life[:, window] = scene.lives.at(times[window])
+        sight, head = self._gaze.sight(times), self._gaze.head(times)
+        return Asked(expression, gestures, life, sight, head, *self._mouth.sample(times))
+
+
+def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
+    """The scenes a face is in; it is neutral in the others."""
+    starts = [scene.start for scene in score.scenes]
+    for number, scene in enumerate(score.scenes):
+        if face.name not in scene.faces:
+            continue
+        acts = tuple(act for act in score.acts if act.face == face.name and act.scene == number)
+        lines = tuple(line for line in score.lines if line.face == face.name and scene.start <= line.start < scene.end)
+        dice = Dice(score.film.seed, (face.name, scene.name, _times_before(score.scenes, number)))
+        yield SceneMotion(
+            scene.start,
+            starts[number + 1] if number + 1 < len(starts) else np.inf,
+            Expression(acts, scene.start, scene.end),
+            Gestures(acts),
+            lives(face.life, acts, lines, scene.start, scene.end, dice),
+        )
+
+
+def _times_before(scenes: tuple[TimedScene, ...], number: int) -> int:
+    """How often a scene has been played before: one that is begun again lives anew."""
+    return sum(scene.name == scenes[number].name for scene in scenes[:number])
