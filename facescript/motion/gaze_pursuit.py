@@ -2,7 +2,7 @@
 
 The model of motion.md section 4, run once on a fixed grid from the moment the look begins, so that what comes out is
 a function of time. The eyes match the velocity seen 130 ms ago, carried on by its acceleration, with a gain that falls
-with speed (bars P1, P2); where the error seen 180 ms ago is too large they jump to where the target will be (bars P3,
+with speed (bars P1, P2); where an error too large lasts another 50 ms they jump to where the target will be (bars P3,
 S7).
 """
 
@@ -26,8 +26,11 @@ Floats = NDArray[np.float64]
 STEP = 0.005
 """The grid, s."""
 
-PURSUIT_STEPS, SACCADE_STEPS, VERGENCE_STEPS = 26, 36, 30
-"""Delays of pursuit, of a catch-up saccade and of vergence (130, 180, 150 ms), in steps."""
+PURSUIT_STEPS, VERGENCE_STEPS = 26, 30
+"""Delays of pursuit and of vergence (130 and 150 ms), in steps."""
+
+DECIDING = 0.05
+"""How long an error too large lasts before a saccade mends it, s: with the delay of sight, 180 ms after a jump."""
 
 SMOOTHING = 0.03
 """Time constant with which the eyes take up a new velocity, s."""
@@ -81,11 +84,13 @@ class Following:
 
 @dataclass(slots=True)
 class _Eyes:
-    """The state of the eyes at one step: smooth position and velocity, the saccades made, when the next may be."""
+    """The state of the eyes at one step: smooth position and velocity, since when a saccade may be made (`ready`) and
+    the error has been too large (`amiss`), the saccades made and their sum."""
 
     place: Pair
     speed: Pair
     ready: float
+    amiss: float
     jumped: Pair = (0.0, 0.0)
     saccades: list[tuple[float, float, Pair]] = field(default_factory=list)
 
@@ -104,10 +109,10 @@ def follow(
 ) -> Following:
     """Follow `sight` (film's time to the line of sight to the target) from `start`, when the eyes have it, to `end`."""
     count = max(2, int((end - start) / STEP) + 2)
-    before = SACCADE_STEPS + 2
+    before = VERGENCE_STEPS + 2
     seen = [sight(start + step * STEP) for step in range(-before, count)]
     target = _Target([(s.yaw, s.pitch) for s in seen], before)
-    state = _Eyes(target.place[before], target.foreseen(0, PURSUIT_STEPS)[1], start)
+    state = _Eyes(target.place[before], target.foreseen(0)[1], start, start)
     places, heads = [], []
     head, turning = head_goal(state.place), (0.0, 0.0)
     for step in range(count):
@@ -136,40 +141,37 @@ class _Target:
             self.speed.append(speed if hypot(*speed) < FASTEST else (0.0, 0.0))
         self.speed[0] = self.speed[1]
 
-    def foreseen(self, step: int, delay: int) -> tuple[Pair, Pair]:
-        """The place and velocity to be expected at `step` from what was seen `delay` steps before."""
-        at = step + self.before - delay
+    def foreseen(self, step: int) -> tuple[Pair, Pair]:
+        """The place and velocity to be expected at `step` from what was last seen before it."""
+        at = step + self.before - PURSUIT_STEPS
         (x, y), (u, v), (u0, v0) = self.place[at], self.speed[at], self.speed[at - 1]
         a, b = _at_most((u - u0) / STEP, (v - v0) / STEP, FORESEEN)
-        t = delay * STEP
+        t = PURSUIT_STEPS * STEP
         return (x + t * u + t * t * a / 2, y + t * v + t * t * b / 2), (u + t * a, v + t * b)
 
 
 def _advance(eyes: _Eyes, target: _Target, step: int, time: float) -> None:
     """One step of the eyes: a catch-up saccade where one is due, and smooth pursuit."""
     x, y = eyes.total(time)
-    (px, py), (u, v) = target.foreseen(step, PURSUIT_STEPS)
-    speed = hypot(u, v)
-    slow = _at_most(2.0 * (px - x), 2.0 * (py - y), 0.3 + 0.03 * speed)
-    wanted = gain(speed) * u + slow[0], gain(speed) * v + slow[1]
-    if time >= eyes.ready:
-        _catch_up(eyes, target, step, time)
-    share = STEP / SMOOTHING
-    old = eyes.speed
+    (px, py), speed = target.foreseen(step)
+    fast = hypot(*speed)
+    _catch_up(eyes, (px - x, py - y), speed, time)
+    slow = _at_most(2.0 * (px - x), 2.0 * (py - y), 0.3 + 0.03 * fast)
+    share, old = STEP / SMOOTHING, eyes.speed
+    wanted = gain(fast) * speed[0] + slow[0], gain(fast) * speed[1] + slow[1]
     eyes.speed = old[0] + share * (wanted[0] - old[0]), old[1] + share * (wanted[1] - old[1])
     half = STEP / 2
     eyes.place = eyes.place[0] + half * (old[0] + eyes.speed[0]), eyes.place[1] + half * (old[1] + eyes.speed[1])
 
 
-def _catch_up(eyes: _Eyes, target: _Target, step: int, time: float) -> None:
-    """A saccade to where the target will be when it lands, if the error seen is more than is tolerated."""
-    (px, py), (u, v) = target.foreseen(step, SACCADE_STEPS)
-    x, y = eyes.total(time)
-    error = px - x, py - y
-    if hypot(*error) <= tolerated(hypot(u, v)):
+def _catch_up(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
+    """A saccade to where the target will be when it lands, if the error has been too large for long enough."""
+    if hypot(*error) <= tolerated(hypot(*speed)):
+        eyes.amiss = time + STEP
+    if time < max(eyes.ready, eyes.amiss + DECIDING):
         return
     lasts = saccade_time(hypot(*error))
-    way = error[0] + lasts * (u - eyes.speed[0]), error[1] + lasts * (v - eyes.speed[1])
+    way = error[0] + lasts * (speed[0] - eyes.speed[0]), error[1] + lasts * (speed[1] - eyes.speed[1])
     eyes.saccades.append((time, time + lasts, way))
     eyes.jumped = eyes.jumped[0] + way[0], eyes.jumped[1] + way[1]
     eyes.ready = time + lasts + REST

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 
@@ -89,6 +89,16 @@ class _Owners:
     head: GazeRequest | None
 
 
+@dataclass(frozen=True, slots=True)
+class _Watched:
+    """A shift that is under way: its request, its aim, its start by the scene's clock, and how far it stays short."""
+
+    key: Key
+    aim: Aim
+    start: float
+    short: Callable[[float], float]
+
+
 class _Scene:
     """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift."""
 
@@ -97,6 +107,7 @@ class _Scene:
         self.shifter = Shifter(room, face, start)
         self.active: list[GazeRequest] = []
         self.aims: dict[Key, Aim] = {}
+        self.watched: _Watched | None = None
         self.plans: dict[Key, list[GazePlan]] = {}
 
     def plan(self, requests: Sequence[GazeRequest]) -> dict[Key, tuple[GazePlan, ...]]:
@@ -107,6 +118,7 @@ class _Scene:
                 self._let_go(time, request)
             else:
                 self._begin(time, request)
+        self._judge(inf)
         return {key: tuple(plans) for key, plans in self.plans.items()}
 
     def _begin(self, time: float, request: GazeRequest) -> None:
@@ -117,10 +129,36 @@ class _Scene:
         self.aims[request.key] = aim
         self.active.append(request)
         wish = Wish(aim, request.manner.parts, request.manner, request.over, request.glance, request.released)
+        eyes = request.manner.parts != "head only"
+        if eyes:
+            self._judge(clock)
         self.plans[request.key] = [self.shifter.plan(clock, wish)]
+        now = _Watched(request.key, aim, clock, self.shifter.shortfall(wish))
+        if eyes:
+            self.watched = now
+        else:
+            self._note(now, request.released - self.start)
+
+    def _judge(self, until: float) -> None:
+        """The shift that has the eyes loses them."""
+        if self.watched:
+            self._note(self.watched, until)
+        self.watched = None
+
+    def _note(self, shift: _Watched, until: float) -> None:
+        """Note how far a shift that lasts until then stays short of its target, at worst."""
+        moving = self.room.moving(shift.aim)
+        keys = moving.times if moving else ()
+        times = [shift.start, *(key for key in keys if shift.start < key < until)]
+        if moving and until < keys[-1]:
+            times.append(until)
+        plan = self.plans[shift.key][0]
+        self.plans[shift.key][0] = replace(plan, unreachable=max(shift.short(time) for time in times))
 
     def _let_go(self, time: float, request: GazeRequest) -> None:
         before = self._owners()
+        if before.eyes is request:
+            self._judge(time - self.start)
         self.active.remove(request)
         after = self._owners()
         for wish in self._back(request, before, after):

@@ -6,9 +6,15 @@ Directions are (yaw, pitch) in deg, yaw + to the viewer's right, pitch + up. The
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import acos, asin, atan2, cos, degrees, hypot, radians, sin, tanh
+from typing import Protocol
 
+from facescript.diagnostics.catalogue import diagnose
+from facescript.diagnostics.model import Diagnostics
+from facescript.space.plan import GazePlan
 from facescript.space.room import angles, towards
+from facescript.text import Span
 
 EYE_SIDE, EYE_UP, EYE_DOWN = 45.0, 28.0, 47.0
 HEAD_SIDE, HEAD_UP = 45.0, 30.0
@@ -20,6 +26,43 @@ HEAD_SOFT = 0.9
 """The part of the head's range that it uses freely; the rest it approaches softly."""
 
 Direction = tuple[float, float]
+
+
+class Planned(Protocol):
+    """An act with the gaze shifts planned for it."""
+
+    @property
+    def plan(self) -> tuple[GazePlan, ...]: ...
+
+    @property
+    def span(self) -> Span: ...
+
+
+class Scored(Protocol):
+    """What of a score is needed here: its acts."""
+
+    @property
+    def acts(self) -> Sequence[Planned]: ...
+
+
+ALONE = {"eyes only": ("eyes", "stay"), "head only": ("head", "stays")}
+"""The part a shift has to do with, and what it does."""
+
+
+def reach(score: Scored, diagnostics: Diagnostics) -> None:
+    """Warn of every target that stays out of reach, once a place in the script, with the worst angle (FS6xx)."""
+    worst: dict[Span, GazePlan] = {}
+    for act in score.acts:
+        for plan in act.plan:
+            if plan.unreachable > worst[act.span].unreachable if act.span in worst else plan.unreachable > 0.0:
+                worst[act.span] = plan
+    for span, plan in worst.items():
+        short = f"{plan.unreachable:.0f}deg"
+        if plan.parts in ALONE:
+            part, verb = ALONE[plan.parts]
+            diagnostics.add(diagnose("FS602", span, part=part, stay=verb, short=short))
+        else:
+            diagnostics.add(diagnose("FS601", span, short=short))
 
 
 def extent(eye: Direction) -> float:

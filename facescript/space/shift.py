@@ -27,6 +27,9 @@ HEAD_FIRST = 0.5
 TURNING = 1.0
 """A head movement below this many degrees is none to wait for."""
 
+SEEN = 0.5
+"""A gaze short of its target by less than this is not seen to be, deg."""
+
 WAIT_STEP = 0.004
 """Steps in which the moment is sought when the waiting eyes have the target, s."""
 
@@ -128,19 +131,21 @@ class Shifter:
             amplitude=amplitude if eyes else turn,
             released=wish.released,
             instant=wish.over == 0.0,
-            unreachable=self.short_of(wish, time),
             eye_done=self.start + times.eye_done,
             head_from=start,
         )
 
-    def short_of(self, wish: Wish, time: float) -> float:
-        """By how many degrees the gaze stays short of the wish's target at `time`, once all has settled."""
-        sight = self.room.sight(self.face.name, wish.aim, time)
-        head = self.head.goal(time)
-        if wish.parts == "head only":
-            full = head_goal((sight.yaw, sight.pitch), (1.0, 1.0))
-            return _beyond(_distance((sight.yaw, sight.pitch), full))
-        return _beyond(shortfall((sight.yaw, sight.pitch), head))
+    def shortfall(self, wish: Wish) -> Callable[[float], float]:
+        """Of the wish planned last: by how many degrees the gaze stays short of its target at a time, all settled."""
+        head = self.head.moves[-1].goal
+
+        def short(time: float) -> float:
+            sight = self.room.sight(self.face.name, wish.aim, time)
+            target = sight.yaw, sight.pitch
+            angle = _distance(target, head(time)) if wish.parts == "head only" else shortfall(target, head(time))
+            return angle if angle > SEEN else 0.0
+
+        return short
 
     def _direction(self, aim: Aim) -> Callable[[float], Direction]:
         def direction(time: float) -> Direction:
@@ -218,8 +223,3 @@ def _times(time: float, wish: Wish, amplitude: float, turn: float) -> Times:
 
 def _distance(one: Direction, other: Direction) -> float:
     return hypot(one[0] - other[0], one[1] - other[1])
-
-
-def _beyond(angle: float) -> float:
-    """The angle, if it is one that can be seen."""
-    return angle if angle > 0.5 else 0.0

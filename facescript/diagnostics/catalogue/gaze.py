@@ -3,5 +3,28 @@
 from __future__ import annotations
 
 from facescript.diagnostics.catalogue.model import Entry
+from facescript.diagnostics.model import Severity
 
-GAZE: tuple[Entry, ...] = ()
+GAZE: tuple[Entry, ...] = (
+    Entry(
+        "FS601",
+        "target-out-of-reach",
+        Severity.WARNING,
+        "This target is {short} beyond what eyes and head reach: the gaze stops short of it.",
+        "target door at 150deg 0deg 2m\nlook at door\n",
+        "target door at 70deg 0deg 2m\nlook at door\n",
+        "The eyes reach 45 degrees sideways, 28 up and 47 down in the head, the head 45 sideways, 30 up and down. What "
+        "lies behind a face is out of reach. The angle is what is drawn: for a target in front of the screen, the "
+        "film's `screen` fraction of the true one. A moving target is judged by where it is while it is looked at.",
+    ),
+    Entry(
+        "FS602",
+        "target-out-of-reach-of-one",
+        Severity.WARNING,
+        "The {part} alone {stay} {short} short of this target; together eyes and head go further.",
+        "film screen none\ntarget window at 60deg 0deg 2m\nlook at window, eyes only\n",
+        "film screen none\ntarget window at 60deg 0deg 2m\nlook at window\n",
+        "With `eyes only` the head stays as it is, with `head only` the eyes keep what they have: what lies beyond the "
+        "reach of the one (45 degrees sideways) is not reached, and nothing else helps.",
+    ),
+)
