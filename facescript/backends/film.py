@@ -1,0 +1,114 @@
+"""A job to a film with sound (.mp4, .webm) or a looping picture (.gif); the same job gives the same bytes."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+
+from facescript.backends.encoder import Encoder
+from facescript.backends.frames import Bytes, even, film_planes, pictures
+from facescript.backends.job import Job, JobFailure
+from facescript.backends.wav import write_wav
+from facescript.canvas.thorvg import CanvasFailure
+from facescript.stage.photo import PictureFailure
+
+EXACT = ("-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-flags:a", "+bitexact")
+"""Nothing of the time or the machine in the file."""
+
+COLOURS = ("-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709")
+"""What the planes are (`canvas.planes`)."""
+
+MP4 = (
+    *("-c:v", "libx264", "-preset", "veryfast", "-crf", "20", "-threads", "3"),
+    *("-c:a", "aac", "-b:a", "128k", "-movflags", "+faststart", "-f", "mp4"),
+)
+"""A fixed number of threads: x264's output depends on it."""
+
+WEBM = (
+    *("-c:v", "libvpx-vp9", "-deadline", "realtime", "-cpu-used", "7", "-crf", "30", "-b:v", "0"),
+    *("-row-mt", "1", "-threads", "4", "-g", "240"),
+    *("-c:a", "libopus", "-b:a", "96k", "-f", "webm"),
+)
+
+SWIFTEST_GIF = 50.0
+"""Frames a second: a GIF counts time in hundredths of a second, and players slow down what is under two."""
+
+PALETTE_FRAMES = 24
+"""Frames from all over the film whose colours make its palette."""
+
+
+def write_mp4(job: Job, path: Path) -> None:
+    """H.264 (x264 veryfast, crf 20) and AAC. Raises `JobFailure`."""
+    _write_film(job, path, MP4)
+
+
+def write_webm(job: Job, path: Path) -> None:
+    """VP9 and Opus. Raises `JobFailure`."""
+    _write_film(job, path, WEBM)
+
+
+def write_gif(job: Job, path: Path) -> None:
+    """A GIF that loops for ever, one palette of 256 colours for the whole film. Raises `JobFailure`."""
+    step = int(np.ceil(job.fps / SWIFTEST_GIF))
+    times = job.times()[::step]
+    source = raw_input("rgb24", job.stage.width, job.stage.height, job.fps / step)
+    with tempfile.TemporaryDirectory(prefix="facescript-") as folder, _faults():
+        palette = Path(folder) / "palette.png"
+        some = times[np.unique(np.linspace(0, len(times) - 1, PALETTE_FRAMES).round().astype(int))]
+        _encode(pictures(job.stage, some), (*source, "-vf", "palettegen", "-update", "1", "-f", "image2"), palette)
+        mapped = ("-i", str(palette), "-lavfi", "paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle")
+        options = (*source, *mapped, *EXACT, "-loop", "0", "-f", "gif")
+        _encode(_counted(job, pictures(job.stage, times), len(times)), options, path)
+
+
+def _write_film(job: Job, path: Path, kind: Sequence[str]) -> None:
+    times = job.times()
+    picture = raw_input("yuv420p", even(job.stage.width), even(job.stage.height), job.fps)
+    with _faults(), _sound_file(job) as heard, film_planes(job.stage, times, job.jobs) as frames:
+        options = (*picture, *heard, *COLOURS, *kind, *EXACT)
+        _encode(_counted(job, frames, len(times)), options, path)
+
+
+def raw_input(pixels: str, width: int, height: int, fps: float) -> tuple[str, ...]:
+    """ffmpeg's options for frames on its standard input."""
+    rate = Fraction(fps).limit_denominator(1001)
+    return ("-f", "rawvideo", "-pix_fmt", pixels, "-s", f"{width}x{height}", "-r", str(rate), "-i", "-")
+
+
+def _encode(frames: Iterator[Bytes], options: Sequence[str], path: Path) -> None:
+    with Encoder(options, path) as encoder:
+        for frame in frames:
+            encoder.write(frame)
+
+
+def _counted(job: Job, frames: Iterator[Bytes], total: int) -> Iterator[Bytes]:
+    """The frames, with the job's progress told after each."""
+    for number, frame in enumerate(frames, start=1):
+        yield frame
+        job.progress(number, total)
+
+
+@contextmanager
+def _sound_file(job: Job) -> Iterator[tuple[str, ...]]:
+    """ffmpeg's options for the sound as an input, in a file for as long as the block lasts; none for silence."""
+    if not job.heard[0].any():
+        yield ()
+        return
+    with tempfile.TemporaryDirectory(prefix="facescript-") as folder:
+        path = Path(folder) / "sound.wav"
+        write_wav(job, path)
+        yield "-i", str(path)
+
+
+@contextmanager
+def _faults() -> Iterator[None]:
+    """Whatever keeps the film from being made as the one exception of all outputs."""
+    try:
+        yield
+    except (PictureFailure, CanvasFailure) as fault:
+        raise JobFailure(fault.args[0]) from None

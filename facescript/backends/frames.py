@@ -1,0 +1,157 @@
+"""A stage at many moments to pictures in their order, drawn a short stretch at a time by one process or several."""
+
+from __future__ import annotations
+
+import multiprocessing
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from mmap import mmap
+from multiprocessing.connection import Connection
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.backends.job import JobFailure
+from facescript.canvas.box import Box
+from facescript.canvas.painter import Painter
+from facescript.canvas.planes import Planes
+from facescript.canvas.thorvg import CanvasFailure
+from facescript.stage.backcloth import Backcloth
+from facescript.stage.photo import PictureFailure
+from facescript.stage.stage import Stage
+
+Floats = NDArray[np.float64]
+Bytes = NDArray[np.uint8]
+
+CHUNK = 16
+"""Frames sampled and laid out in one call, always the same ones together, so that no rounding depends on `jobs`."""
+
+SLOTS = 4
+"""Finished frames that a drawing process may be ahead."""
+
+DRAWN, FREE = b"drawn", b"free"
+"""What the processes tell each other."""
+
+
+def even(size: int) -> int:
+    """The next even number of pixels: chroma has half the resolution."""
+    return size + size % 2
+
+
+def drawn(stage: Stage, painter: Painter, cloth: Backcloth, times: Floats) -> Iterator[Box]:
+    """Draw the moments one by one into the painter's pixels; the box of each is where they changed."""
+    for first in range(0, len(times), CHUNK):
+        frames = stage.frames(times[first : first + CHUNK])
+        for points, opacity, ground in zip(frames.points, frames.opacity, frames.grounds, strict=True):
+            yield painter.draw(points, opacity, cloth.paint(ground))
+
+
+def pictures(stage: Stage, times: Floats) -> Iterator[Bytes]:
+    """Each moment as array[y, x, (R, G, B)]."""
+    painter = Painter(stage.width, stage.height, stage.shapes)
+    cloth = Backcloth(stage.width, stage.height, stage.pictures)
+    for _ in drawn(stage, painter, cloth, times):
+        yield rgb(painter.pixels)
+
+
+def rgb(pixels: NDArray[np.uint32]) -> Bytes:
+    """array[y, x] of 0xAARRGGBB as array[y, x, (R, G, B)]."""
+    shifts = np.array([16, 8, 0], dtype=np.uint32)
+    return (pixels[..., None] >> shifts & np.uint32(0xFF)).astype(np.uint8)
+
+
+def planes(stage: Stage, times: Floats) -> Iterator[Bytes]:
+    """Each moment as yuv420p of even sides, in one array that the next moment overwrites."""
+    width, height = even(stage.width), even(stage.height)
+    painter = Painter(width, height, stage.shapes)
+    cloth = Backcloth(width, height, stage.pictures)
+    yuv = Planes(width, height)
+    for box in drawn(stage, painter, cloth, times):
+        yuv.take(painter.pixels, box)
+        yield yuv.data
+
+
+@contextmanager
+def film_planes(stage: Stage, times: Floats, jobs: int) -> Iterator[Iterator[Bytes]]:
+    """`planes`, drawn by `jobs` processes where the system can fork them; the same bytes whatever their number."""
+    workers = min(jobs, -(-len(times) // CHUNK))
+    if workers < 2 or sys.platform != "linux":
+        yield planes(stage, times)
+        return
+    team = Team(stage, [_share(times, number, workers) for number in range(workers)])
+    try:
+        yield team.frames(len(times))
+    finally:
+        team.end()
+
+
+def _share(times: Floats, number: int, workers: int) -> Floats:
+    """Every `workers`-th chunk."""
+    chunks = [times[first : first + CHUNK] for first in range(number * CHUNK, len(times), workers * CHUNK)]
+    return np.concatenate(chunks)
+
+
+class Team:
+    """Processes that each draw a share of the frames into SLOTS of shared memory in turn.
+
+    A process says "drawn" after each frame, and is told "free" when one of its slots may be filled again.
+    """
+
+    def __init__(self, stage: Stage, shares: Sequence[Floats]) -> None:
+        size = even(stage.width) * even(stage.height) * 3 // 2
+        self._slots = [list(np.frombuffer(mmap(-1, SLOTS * size), np.uint8).reshape(SLOTS, size)) for _ in shares]
+        pipes = [multiprocessing.Pipe() for _ in shares]
+        self._links = [near for near, _ in pipes]
+        fork = multiprocessing.get_context("fork")
+        self._processes = []
+        for number, share in enumerate(shares):
+            far = pipes[number][1]
+            others = [end for pipe in pipes for end in pipe if end is not far]
+            task = (stage, share, self._slots[number], far, others)
+            self._processes.append(fork.Process(target=_draw, args=task, daemon=True))
+        for process in self._processes:
+            process.start()
+        for _, far in pipes:
+            far.close()
+
+    def frames(self, count: int) -> Iterator[Bytes]:
+        """The frames in their order, each whole until the next is asked for. Raises `JobFailure`."""
+        for number in range(count):
+            chunk = number // CHUNK
+            worker = chunk % len(self._links)
+            own = chunk // len(self._links) * CHUNK + number % CHUNK
+            self._wait(self._links[worker])
+            yield self._slots[worker][own % SLOTS]
+            with suppress(OSError):
+                self._links[worker].send_bytes(FREE)
+
+    def end(self) -> None:
+        """Stop whatever still draws."""
+        for process, link in zip(self._processes, self._links, strict=True):
+            process.kill()
+            process.join()
+            link.close()
+
+    def _wait(self, link: Connection) -> None:
+        try:
+            word = link.recv_bytes()
+        except (EOFError, OSError):
+            raise JobFailure("a process that draws has ended") from None
+        if word != DRAWN:
+            raise JobFailure(word.decode())
+
+
+def _draw(stage: Stage, times: Floats, slots: Sequence[Bytes], link: Connection, others: Sequence[Connection]) -> None:
+    """A process's whole work. It ends with its parent, whose ends of the pipes it must not hold open itself."""
+    for other in others:
+        other.close()
+    with suppress(EOFError, OSError, KeyboardInterrupt):
+        try:
+            for number, frame in enumerate(planes(stage, times)):
+                if number >= SLOTS:
+                    link.recv_bytes()
+                slots[number % SLOTS][...] = frame
+                link.send_bytes(DRAWN)
+        except (PictureFailure, CanvasFailure, MemoryError) as fault:
+            link.send_bytes(str(fault).encode() or b"out of memory")
