@@ -24,7 +24,8 @@ class GazeRequest:
 
     `key` is (order of the act, number of the stop). `start` is without the manner's latency; at `released` it lets
     go and what it covered comes back. `over` is the length an author gave the shift (0: at once). `glance` is a
-    glance: the head takes little part. `persons` and `people` are as in `Room.bind`.
+    glance: the head takes little part. `persons` and `people` are as in `Room.bind`; `place` names
+    the look to the seed.
     """
 
     key: Key
@@ -37,6 +38,7 @@ class GazeRequest:
     glance: bool = False
     persons: tuple[tuple[str, str], ...] = ()
     people: tuple[str, ...] = ()
+    place: tuple[object, ...] = ()
 
     @property
     def onset(self) -> float:
@@ -125,7 +127,8 @@ class _Scene:
         clock = time - self.start
         aim = self.room.bind(self.face.name, request.aim, clock, request.persons, request.people)
         if isinstance(aim, Away):
-            aim = averted(self.shifter.eyes.goal(clock), self.room.film.seed, self.face.name, *request.key)
+            place = request.place or request.key
+            aim = averted(self.shifter.eyes.goal(clock), self.room.film.seed, self.face.name, *place)
         self.aims[request.key] = aim
         self.active.append(request)
         wish = Wish(aim, request.manner.parts, request.manner, request.over, request.glance, request.released)
