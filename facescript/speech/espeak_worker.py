@@ -130,7 +130,8 @@ class Espeak:
         return {"voices": sorted(speaking), "variants": sorted(variants)}, b""
 
     def listed(self, like: Any) -> list[Voice]:
-        found, voices = self.library.espeak_ListVoices(like), []
+        found = self.library.espeak_ListVoices(like)
+        voices: list[Voice] = []
         while found[len(voices)]:
             voices.append(found[len(voices)].contents)
         return voices

@@ -1,4 +1,4 @@
-"""IPA to the pieces a mouth makes: base letters with their marks; and to the phoneme names espeak-ng takes in `[[...]]`."""
+"""IPA to its base letters, and to the phoneme names that espeak-ng takes in `[[...]]`."""
 
 from __future__ import annotations
 

@@ -77,7 +77,9 @@ def is_unspaced(sign: str) -> bool:
 def is_han(sign: str) -> bool:
     """Whether a character is Chinese."""
     code = ord(sign)
-    return 0x3400 <= code <= 0x4DBF or 0x4E00 <= code <= 0x9FFF or 0xF900 <= code <= 0xFAFF or 0x20000 <= code <= 0x3FFFF
+    return (
+        0x3400 <= code <= 0x4DBF or 0x4E00 <= code <= 0x9FFF or 0xF900 <= code <= 0xFAFF or 0x20000 <= code <= 0x3FFFF
+    )
 
 
 def words(text: str) -> tuple[Word, ...]:

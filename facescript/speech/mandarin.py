@@ -80,11 +80,11 @@ def _readings(line: str) -> tuple[str, ...]:
     """The syllable of each character of a line in its context; a character that has none stands for itself."""
     from pypinyin import Style, lazy_pinyin  # 0.2 s to import: only Mandarin lines pay it
 
-    options = {"style": Style.TONE3, "neutral_tone_with_five": True, "v_to_u": False, "tone_sandhi": True}
-    found = lazy_pinyin(line, errors=list, **options)
-    if len(found) != len(line):
-        found = [lazy_pinyin(sign, errors=list, **options)[0] for sign in line]
-    return tuple(found)
+    read: list[str] = []
+    for found in lazy_pinyin(line, Style.TONE3, v_to_u=False, neutral_tone_with_five=True, tone_sandhi=True):
+        as_it_is = line.startswith(found, len(read))
+        read += list(found) if as_it_is else [found]
+    return tuple(read)
 
 
 def _written(piece: Piece, at: int) -> Unit | None:
@@ -154,7 +154,7 @@ def _unit(piece: Piece, first: int, last: int, syllables: tuple[str, ...]) -> Un
 
 
 def _runs(found: Sequence[Unit]) -> Iterator[list[Unit]]:
-    """Units that are spoken at once: Mandarin together, each foreign stretch alone; marks before any sound fall away."""
+    """Units that are spoken at once: Mandarin together, each foreign stretch alone; marks alone fall away."""
     run: list[Unit] = []
     for unit in found:
         if unit.foreign:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Protocol
+
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.schedule.score import Score, TimedLine
+from facescript.speech.model import Spoken
 from facescript.speech.parts import RATE
 
 FADE = 0.02
@@ -16,9 +19,33 @@ KNEE = 0.8
 
 FULL = 32767.0
 
+Samples = NDArray[np.float32]
 
-def soundtrack(score: Score) -> tuple[NDArray[np.int16], int]:
-    """The sound of all lines, as long as the score: mono samples and their rate in Hz. The same score, the same bytes."""
+
+class Line(Protocol):
+    """A spoken line at its time (a score's `TimedLine`): `start` and `cut` in seconds, `volume` a factor."""
+
+    @property
+    def start(self) -> float: ...
+    @property
+    def spoken(self) -> Spoken: ...
+    @property
+    def volume(self) -> float: ...
+    @property
+    def cut(self) -> float | None: ...
+
+
+class Lines(Protocol):
+    """What a score has that can be heard; `duration` in seconds."""
+
+    @property
+    def lines(self) -> Sequence[Line]: ...
+    @property
+    def duration(self) -> float: ...
+
+
+def soundtrack(score: Lines) -> tuple[NDArray[np.int16], int]:
+    """The sound of all lines, as long as the score: mono samples and their rate in Hz."""
     track = np.zeros(round(score.duration * RATE), dtype=np.float32)
     for line in score.lines:
         _lay(track, line)
@@ -27,7 +54,7 @@ def soundtrack(score: Score) -> tuple[NDArray[np.int16], int]:
     return np.rint(track).astype(np.int16), RATE
 
 
-def _lay(track: NDArray[np.float32], line: TimedLine) -> None:
+def _lay(track: Samples, line: Line) -> None:
     """Add one line to the track, at its time and volume, up to its cut."""
     sound = np.frombuffer(line.spoken.pcm, dtype="<i2").astype(np.float32) * np.float32(line.volume)
     if line.spoken.rate != RATE:
@@ -40,23 +67,24 @@ def _lay(track: NDArray[np.float32], line: TimedLine) -> None:
     stretch += sound[skipped : skipped + len(stretch)]
 
 
-def _cut(sound: NDArray[np.float32], seconds: float) -> NDArray[np.float32]:
+def _cut(sound: Samples, seconds: float) -> Samples:
     kept = sound[: max(round(seconds * RATE), 0)].copy()
     fading = min(round(FADE * RATE), len(kept))
     kept[len(kept) - fading :] *= np.linspace(1, 0, fading, dtype=np.float32)
     return kept
 
 
-def _resampled(sound: NDArray[np.float32], rate: int) -> NDArray[np.float32]:
+def _resampled(sound: Samples, rate: int) -> Samples:
     """The sound at `RATE`, its samples joined by straight lines."""
     count = round(len(sound) * RATE / rate)
     places = np.arange(count) * (rate / RATE)
-    return np.interp(places, np.arange(len(sound)), sound).astype(np.float32)
+    resampled: Samples = np.interp(places, np.arange(len(sound)), sound).astype(np.float32)
+    return resampled
 
 
-def _limited(samples: NDArray[np.float32]) -> NDArray[np.float32]:
+def _limited(samples: Samples) -> Samples:
     """Full scale's soft limit: the identity's slope at the knee, full scale at infinity."""
     room = np.float32((1 - KNEE) * FULL)
     over = np.abs(samples) - np.float32(KNEE * FULL)
-    limited: NDArray[np.float32] = np.sign(samples) * (np.float32(KNEE * FULL) + room * np.tanh(over / room))
+    limited: Samples = np.sign(samples) * (np.float32(KNEE * FULL) + room * np.tanh(over / room))
     return limited

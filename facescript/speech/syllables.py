@@ -10,6 +10,12 @@ from facescript.speech.model import PhoneTime, VoiceFailure
 PREFIX = "zh:"
 """What the symbol of a Mandarin mouth shape begins with: `zh:a`, `zh:h'`."""
 
+
+def _table(rows: str) -> dict[str, str]:
+    """`name: value value` again and again."""
+    return {name: " ".join(values.split()) for name, values in re.findall(r"(\w+): ((?:\w+(?!:)\b\s*)+)", rows)}
+
+
 INITIALS = {
     **dict.fromkeys("bpm", "m"),
     "f": "f",
@@ -20,16 +26,16 @@ INITIALS = {
 }
 """Table 5.5, rebuilt: the six mouth shapes of the initials."""
 
-FINALS = {
-    **{"a": "a", "o": "o", "e": "h", "ê": "e", "ai": "a i", "ei": "e i", "ao": "a u", "ou": "o u", "an": "a n"},
-    **{"en": "n", "ang": "a h", "eng": "h", "er": "h", "ong": "u h"},
-    **{"i": "i", "ia": "i a", "ie": "i e", "iao": "i a u", "iu": "i o u", "ian": "i e n", "in": "i n"},
-    **{"iang": "i a h", "ing": "i h", "iong": "u h", "io": "i o"},
-    **{"u": "u", "ua": "u a", "uo": "u o", "uai": "u a i", "ui": "u e i", "uan": "u a n", "un": "u n"},
-    **{"uang": "u a h", "ueng": "u h"},
-    **{"v": "u", "ve": "u e", "van": "u e n", "vn": "u n"},
-    **{"m": "m", "n": "n", "ng": "h"},
-}
+FINALS = _table(
+    """
+    a: a      o: o      e: h      ê: e      ai: a i   ei: e i   ao: a u   ou: o u   an: a n   en: n     ang: a h
+    eng: h    er: h     ong: u h  m: m      n: n      ng: h
+    i: i      ia: i a   io: i o   ie: i e   iao: i a u          iu: i o u ian: i e n          in: i n   iang: i a h
+    ing: i h  iong: u h
+    u: u      ua: u a   uo: u o   uai: u a i          ui: u e i uan: u a n          un: u n   uang: u a h
+    ueng: u h v: u      ve: u e   van: u e n          vn: u n
+    """
+)
 """Table 5.6, rebuilt: the finals as compositions of seven shapes; v is ü; after i and ü the final an is en."""
 
 STARTS = {1: (0.0,), 2: (0.0, 0.8095), 3: (0.0, 0.4337, 0.8312), 4: (0.0, 0.245, 0.4565, 0.7153)}
@@ -39,12 +45,16 @@ SINGLE_HOLD = 0.8095
 """A syllable of one shape holds it as long as the first of two."""
 
 SYLLABLE = re.compile(r"(zh|ch|sh|[bpmfdtnlgkhjqxrzcs]?)([aeiouvêmng]+)([1-5])\Z")
-WITHOUT_INITIAL = {
-    **{"yi": "i", "ya": "ia", "yo": "io", "ye": "ie", "yao": "iao", "you": "iu", "yan": "ian", "yin": "in"},
-    **{"yang": "iang", "ying": "ing", "yong": "iong", "yu": "v", "yue": "ve", "yuan": "van", "yun": "vn"},
-    **{"wu": "u", "wa": "ua", "wo": "uo", "wai": "uai", "wei": "ui", "wan": "uan", "wen": "un", "wang": "uang"},
-    **{"weng": "ueng", "wong": "ueng", "er": "er", "hm": "m", "ng": "ng", "hng": "ng"},
-}
+WITHOUT_INITIAL = _table(
+    """
+    yi: i     ya: ia    yo: io    ye: ie    yao: iao  you: iu   yan: ian  yin: in   yang: iang          ying: ing
+    yong: iong          yu: v     yue: ve   yuan: van yun: vn   er: er    hm: m     ng: ng    hng: ng
+    wu: u     wa: ua    wo: uo    wai: uai  wei: ui   wan: uan  wen: un   wang: uang          weng: ueng
+    wong: ueng
+    """
+)
+"""Syllables written without an initial, and their finals."""
+
 TONES = {"\u0304": "1", "\u0301": "2", "\u030c": "3", "\u0300": "4"}
 
 

@@ -68,7 +68,7 @@ def open_voice() -> VoiceBox:
 
 
 def list_voices() -> tuple[tuple[str, str], ...]:
-    """Language codes with their full names, then variants, as `voice CODE VARIANT` takes them. Raises `VoiceFailure`."""
+    """Codes of languages with their full names, then variants, as `voice CODE VARIANT` takes them."""
     found = EspeakVoice(Espeak()).voices()
     variants = sorted(set(found.variants.values()), key=str.lower)
     return (*sorted(found.titles.items()), *((name, "variant") for name in ("female", "male", *variants)))

@@ -76,7 +76,7 @@ def voices(listing: Mapping[str, Any]) -> Voices:
         for priority, code in languages:
             first = priority if code != languages[0][1] else 0
             ranked[code.lower()] = min(ranked.get(code.lower(), (256, "")), (first, identifier))
-    variants = {}
+    variants: dict[str, str] = {}
     for name, identifier, _ in listing["variants"]:
         file = identifier.rpartition("/")[2]
         variants |= {name.lower(): file, file.lower(): file}

@@ -1,0 +1,104 @@
+"""Sounds of any language to the mouth's basic shapes, with their values for the channels that speech drives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from facescript.speech.ipa import LENGTH, letters
+from facescript.speech.syllables import PREFIX
+
+Values = tuple[float, float, float, float, float, float, float, float]
+"""open, wide, round, upper, lower, jaw, teeth, tongue: the order and units of the mouth's channels."""
+
+LOWER_LIP = 0.4
+"""Height of the lower lip in MNS0 (mouth to nose): the thesis measures shape f in lip heights."""
+
+WIDEST_JAW = 0.8
+"""MNS0 by which the lower lip sinks in shape a, the widest: the jaw moves with the lower lip (section 5.2.2)."""
+
+
+def _shape(up: float, dn: float, wide: float, rounded: float, teeth: float, tongue: float) -> Values:
+    return (max(up + dn, 0.0), wide, rounded, up, dn, max(dn, 0.0) / WIDEST_JAW, teeth, tongue)
+
+
+SHAPES: MappingProxyType[str, Values] = MappingProxyType(
+    {
+        "m": _shape(0, 0, 0, 0, 0, 0),
+        "f": _shape(0, -0.5 * LOWER_LIP, 0, 0, 0.3, 0),
+        "h'": _shape(0.25, 0.3, 0, 0, 0.6, 0.8),
+        "h": _shape(0.25, 0.5, -1 / 12, 0, 0.2, 0.1),
+        "r": _shape(0.25, 0.25, -0.15, 0.6, 0.6, 0.5),
+        "z": _shape(0.15, 0.15, 0, 0, 1, 0.6),
+        "a": _shape(0.3, 0.8, -1 / 8, 0, 0.3, 0),
+        "e": _shape(0, 0.5, 1 / 12, 0, 0.6, 0.2),
+        "i": _shape(0, 1 / 6, 1 / 12, 0, 0.7, 0.4),
+        "o": _shape(0.25, 0.65, -0.2, 0.8, 0.1, 0),
+        "u": _shape(0.3, 0.3, -0.2, 1, 0, 0),
+        "n": _shape(0.3, 0.4, 0, 0, 0.5, 0.7),
+        "th": _shape(0.2, 0.25, 0, 0, 0.5, 1),
+        "rest": _shape(0, 0, 0, 0, 0, 0),
+    }
+)
+"""The twelve shapes of section 5.2.2 (a with its corners in by MW0/8, section 5.2.1): up and dn in MNS0, the corners
+in MW0. What it does not give is ours: rounding, teeth, tongue, and `th`, the tongue between the teeth."""
+
+
+@dataclass(frozen=True, slots=True)
+class Viseme:
+    """A sound as a shape of the mouth at a degree: `kind` is "stop", "sound" (a consonant that lasts) or "vowel"."""
+
+    shape: str
+    kind: str
+    degree: float = 1.0
+
+
+def _class(signs: str, shape: str, kind: str, degree: float = 1.0) -> dict[str, Viseme]:
+    return dict.fromkeys(signs.split(), Viseme(shape, kind, degree))
+
+
+VISEMES: MappingProxyType[str, Viseme] = MappingProxyType(
+    _class("p b ɓ ʘ", "m", "stop")
+    | _class("m", "m", "sound")
+    | _class("f v ɱ ʋ ɸ β", "f", "sound")
+    | _class("t d ɗ ʈ ɖ ǀ ǃ ɾ ɽ", "h'", "stop", 0.7)
+    | _class("n l r ɳ ɭ ɫ ɬ ɮ ɲ ʎ ɕ ʑ ç ʝ", "h'", "sound", 0.7)
+    | _class("c ɟ", "h'", "stop", 0.7)
+    | _class("k g ɡ ɠ q ɢ ʔ", "h", "stop", 0.6)
+    | _class("x ɣ ŋ h ɦ χ ʁ ʀ ħ ʕ ɴ ɰ", "h", "sound", 0.6)
+    | _class("ʃ ʒ ɹ ɻ ʂ ʐ ɧ", "r", "sound")
+    | _class("s z", "z", "sound")
+    | _class("θ ð", "th", "sound")
+    | _class("w ʍ ɥ", "u", "sound")
+    | _class("j", "i", "sound")
+    | _class("a ɑ ɶ", "a", "vowel")
+    | _class("æ ɐ ʌ", "a", "vowel", 0.75)
+    | _class("e ɛ", "e", "vowel")
+    | _class("i ɪ ɨ", "i", "vowel")
+    | _class("ɯ", "i", "vowel", 0.7)
+    | _class("o ɔ ɒ", "o", "vowel")
+    | _class("ø œ ɵ ɞ", "o", "vowel", 0.85)
+    | _class("u ʊ y ʏ ʉ", "u", "vowel")
+    | _class("ɤ ɜ ɝ ɚ", "h", "vowel", 0.9)
+    | _class("ə ɘ", "h", "vowel", 0.6)
+)
+
+UNKNOWN_VOWEL, UNKNOWN_CONSONANT = Viseme("h", "vowel", 0.8), Viseme("h'", "sound", 0.6)
+"""What an unknown sign becomes: a long or stressed one is a vowel."""
+
+
+def visemes(symbol: str, stressed: bool = False) -> tuple[Viseme, ...]:
+    """The shapes of one phone in order; a diphthong has two, an affricate that of its end. Never fails: an unknown
+    sign has the middle shape of its class."""
+    if symbol.startswith(PREFIX):
+        name = symbol.removeprefix(PREFIX)
+        return (Viseme(name if name in SHAPES else "h", "vowel"),)
+    unknown = UNKNOWN_VOWEL if stressed or any(sign in symbol for sign in LENGTH) else UNKNOWN_CONSONANT
+    found = [VISEMES.get(letter, unknown) for letter in letters(symbol)]
+    kept = [viseme for at, viseme in enumerate(found) if not _covered(viseme, found[at + 1 :])]
+    return tuple(kept)
+
+
+def _covered(viseme: Viseme, after: list[Viseme]) -> bool:
+    """Whether a consonant leaves no shape of its own: one with open lips at the head of an affricate."""
+    return viseme.shape in ("h'", "h") and viseme.kind == "stop" and any(next_.kind == "sound" for next_ in after[:1])
