@@ -6,6 +6,7 @@ Onset rule, the same for eye and head: 5 % of the movement's peak speed (`tests/
 from __future__ import annotations
 
 import csv
+import itertools
 from collections.abc import Callable
 from math import cos, radians, sin
 from pathlib import Path
@@ -91,7 +92,7 @@ def test_saccades_sideways(look: Looker, side: int) -> None:
     inside(found[5].peak_part, "S6", "5")
     inside(found[30].peak_part, "S6", "30")
     parts = [found[size].peak_part for size in (5, 10, 20, 30, 40)]
-    assert all(later <= earlier + 0.02 for earlier, later in zip(parts, parts[1:], strict=False)), parts
+    assert all(later <= earlier + 0.02 for earlier, later in itertools.pairwise(parts)), parts
 
 
 @pytest.mark.parametrize("side", [1, -1])

@@ -1,0 +1,97 @@
+"""`facescript list`: what there is, a line each, as names and what they mean."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from facescript.backends.registry import backends
+from facescript.diagnostics.model import Diagnostics
+from facescript.performance.channels import CHANNELS, MUSCLES
+from facescript.resolve.words import KINDS, VERBS, WORDS
+from facescript.speech.voicebox import list_voices
+from facescript.syntax.parser import parse
+from facescript.syntax.tree import ActionDefinition, Declaration, ExpressionDefinition, Item
+from facescript.world import World
+
+Row = tuple[str, str]
+
+FACES = {"woman": "a cartoon woman", "man": "a cartoon man", "unseen": "nobody to see: a voice alone"}
+
+
+def run(options: argparse.Namespace) -> int:
+    """Two columns on standard output, in the order of the thing listed."""
+    rows = list(LISTS[options.what]())
+    width = max((len(name) for name, _ in rows), default=0)
+    for name, meaning in rows:
+        print(f"{name:{width}}  {meaning}".rstrip())
+    return 0
+
+
+def _library() -> Iterable[Item]:
+    """The items of the standard library."""
+    for source in World(Path.cwd()).library():
+        yield from parse(source, Diagnostics()).items
+
+
+def _expressions() -> Iterable[Row]:
+    for item in _library():
+        if isinstance(item, ExpressionDefinition):
+            yield item.name.text, " ".join(item.value.span.text.split())
+
+
+def _actions() -> Iterable[Row]:
+    for verb in VERBS.values():
+        yield verb.form, verb.help
+    for item in _library():
+        if isinstance(item, ActionDefinition):
+            yield item.name.text, ", ".join(parameter.span.text for parameter in item.parameters)
+
+
+def _lives() -> Iterable[Row]:
+    for item in _library():
+        if isinstance(item, Declaration) and item.kind == "life":
+            yield item.name.text, ", ".join(phrase.span.text for phrase in item.phrases)
+
+
+def _faces() -> Iterable[Row]:
+    for kind in KINDS:
+        yield kind, FACES[kind]
+
+
+def _muscles() -> Iterable[Row]:
+    for muscle in MUSCLES:
+        yield muscle, f"{muscle}.left, {muscle}.right"
+
+
+def _channels() -> Iterable[Row]:
+    for channel in CHANNELS:
+        yield channel.name, f"{channel.unit}, {channel.rest:g} at rest"
+
+
+def _voices() -> Iterable[Row]:
+    yield from list_voices()
+
+
+def _backends() -> Iterable[Row]:
+    for backend in backends().values():
+        yield backend.suffix, backend.help
+
+
+def _words() -> Iterable[Row]:
+    for word in sorted(WORDS):
+        yield word, ""
+
+
+LISTS: dict[str, Callable[[], Iterable[Row]]] = {
+    "faces": _faces,
+    "expressions": _expressions,
+    "actions": _actions,
+    "muscles": _muscles,
+    "channels": _channels,
+    "voices": _voices,
+    "backends": _backends,
+    "lives": _lives,
+    "words": _words,
+}
