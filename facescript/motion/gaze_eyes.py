@@ -16,8 +16,8 @@ Floats = NDArray[np.float64]
 APART_CM = 6.3
 """The distance of the eyes in the room, whatever the face's size, cm."""
 
-KNEE = 0.95
-"""From this part of their reach on the eyes are slowed, so that they come to its end without a jolt."""
+KNEE, END = 0.95, 0.9999
+"""From the first part of their reach on the eyes are slowed, so that they come to the second without a jolt."""
 
 
 def eyes(sight: Floats, head_pose: Floats) -> Floats:
@@ -44,7 +44,7 @@ def midline(eye_angles: Floats, head_pose: Floats) -> Floats:
 
 def _within_reach(yaw: Floats, pitch: Floats) -> tuple[Floats, Floats]:
     extent = np.hypot(yaw / EYE_SIDE, pitch / np.where(pitch > 0, EYE_UP, EYE_DOWN))
-    room = 1.0 - KNEE
+    room = END - KNEE
     bent = np.where(extent > KNEE, KNEE + room * np.tanh((extent - KNEE) / room), extent)
     scale = bent / np.maximum(extent, 1e-9)
     return yaw * scale, pitch * scale
