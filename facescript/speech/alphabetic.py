@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from bisect import bisect_right
 from dataclasses import dataclass, field
 
@@ -15,6 +16,10 @@ from facescript.speech.voices import Manner
 
 EMPHASIS = "<emphasis level='strong'> ", " </emphasis>"
 """A space inside: espeak-ng reads a tag that touches `]]` aloud."""
+
+
+CLOSERS = " \n\"'”’»)]}」』"
+"""What may stand behind the sign that ends a clause."""
 
 
 @dataclass(slots=True)
@@ -33,7 +38,7 @@ def speak(espeak: Espeak, piece: Piece, manner: Manner) -> Part:
     """The piece spoken. Raises `VoiceFailure`."""
     ssml = any(mark.kind == "stress" for mark in piece.marks)
     readings = tuple(mark for mark in piece.marks if mark.kind == "reading")
-    _check_kanji(piece, manner, readings)
+    _check_kanji(piece, manner)
     sent = _sent(piece, ssml)
     sounds = any(_is_ipa(mark) for mark in readings)
     text = "".join(sent.text)
@@ -41,39 +46,45 @@ def speak(espeak: Espeak, piece: Piece, manner: Manner) -> Part:
     heard = phones(sound)
     for mark in readings:
         if _is_ipa(mark):
-            _check_said(sound, sent, piece, mark, manner)
+            _check_said(sound, sent, piece, mark)
     sounding = [phone for phone in heard if phone.symbol]
     if not sounding:
-        raise VoiceFailure(f"the voice `{manner.voice}` has no sound for `{piece.text.strip()}`", "FS503")
+        raise VoiceFailure(f"this voice has no sound for `{piece.text.strip()}`", "FS503")
     part = Part(sound.pcm, _word_times(piece, sent, sound, heard), heard)
     return trimmed(part, (sounding[0].start, sounding[-1].end))
 
 
 def _sent(piece: Piece, ssml: bool) -> Sent:
     sent = Sent()
+    readings = piece.readings()
+    opened = {mark.start - piece.first for mark in piece.marks if mark.kind == "stress"}
+    closed = {mark.end - piece.first - 1 for mark in piece.marks if mark.kind == "stress"}
     for at, sign in enumerate(piece.text):
-        for mark in piece.marks:
-            if mark.kind == "stress" and mark.start == piece.first + at:
-                sent.add(EMPHASIS[0], at)
-        _add(sent, piece, at, sign, ssml)
-        for mark in piece.marks:
-            if mark.kind == "stress" and mark.end == piece.first + at + 1:
-                sent.add(EMPHASIS[1], at)
-    if piece.text.rstrip()[-1:] not in tuple(CLAUSE_ENDS) and piece.text.strip():
+        if at in opened:
+            sent.add(EMPHASIS[0], at)
+        reading = readings.get(piece.first + at)
+        if reading is None:
+            sent.add(_plain(sign, ssml), at)
+        elif reading.start == piece.first + at:
+            sent.add(_read(reading, ssml), at)
+        if at in closed:
+            sent.add(EMPHASIS[1], at)
+    if piece.text.rstrip(CLOSERS)[-1:] not in tuple(CLAUSE_ENDS):
         sent.add(",", len(piece.text) - 1)  # a piece that a pause cuts off goes on: the voice must not fall
     return sent
 
 
-def _add(sent: Sent, piece: Piece, at: int, sign: str, ssml: bool) -> None:
-    """One character of the piece, or the reading that begins at it."""
-    for mark in piece.marks:
-        if mark.kind == "reading" and mark.start <= piece.first + at < mark.end:
-            if mark.start == piece.first + at:
-                spelt = f"[[{mnemonics(_ipa(mark))}]]" if _is_ipa(mark) else mark.value
-                sent.add(_escaped(spelt) if ssml and not _is_ipa(mark) else spelt, at)
-            return
-    plain = {"[": "(", "]": ")", "\n": " "}.get(sign, sign)
-    sent.add(_escaped(plain) if ssml else plain, at)
+def _plain(sign: str, ssml: bool) -> str:
+    """A character as the voice takes it: `[[` would begin phonemes, a control character would end the text."""
+    plain = " " if unicodedata.category(sign) == "Cc" else {"[": "(", "]": ")"}.get(sign, sign)
+    return _escaped(plain) if ssml else plain
+
+
+def _read(reading: Stretch, ssml: bool) -> str:
+    """A reading as the voice takes it: phonemes for IPA, else another spelling."""
+    if _is_ipa(reading):
+        return f"[[{mnemonics(_ipa(reading))}]]"
+    return "".join(_plain(sign, ssml) for sign in reading.value)
 
 
 def _escaped(text: str) -> str:
@@ -88,17 +99,18 @@ def _ipa(mark: Stretch) -> str:
     return mark.value[1:-1]
 
 
-def _check_kanji(piece: Piece, manner: Manner, readings: tuple[Stretch, ...]) -> None:
+def _check_kanji(piece: Piece, manner: Manner) -> None:
     """Japanese characters without a reading are read out as "Chinese letter"."""
     if not manner.voice.split("+")[0].endswith("/ja"):
         return
+    readings = piece.readings()
     for at, sign in enumerate(piece.text, piece.first):
-        if is_han(sign) and not any(mark.start <= at < mark.end for mark in readings):
+        if is_han(sign) and at not in readings:
             reason = f"the Japanese voice reads kana only; write the reading of `{sign}`, as in `[read かんじ]漢字[/]`"
             raise VoiceFailure(reason, "FS502")
 
 
-def _check_said(sound: Sound, sent: Sent, piece: Piece, mark: Stretch, manner: Manner) -> None:
+def _check_said(sound: Sound, sent: Sent, piece: Piece, mark: Stretch) -> None:
     """The voice skips a sound that it does not have: fewer are heard than were written."""
     span = range(mark.start - piece.first, mark.end - piece.first)
     said = "".join(
@@ -107,7 +119,7 @@ def _check_said(sound: Sound, sent: Sent, piece: Piece, mark: Stretch, manner: M
         if event.kind == "phone" and _place(sent, event.place) in span and not event.symbol.startswith("(")
     )
     if len(letters(said)) < len(letters(_ipa(mark))):
-        raise VoiceFailure(f"of `{mark.value}` the voice `{manner.voice}` says only `/{said}/`", "FS502")
+        raise VoiceFailure(f"of `{mark.value}` this voice says only `/{said}/`", "FS502")
 
 
 def _place(sent: Sent, index: int) -> int:

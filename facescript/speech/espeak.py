@@ -22,8 +22,8 @@ SECONDS = 40.0
 LONGEST_ANSWER = 1 << 28
 """Bytes of one frame: 100 minutes of sound."""
 
-LONGEST_TEXT = 20_000
-"""Characters of one utterance."""
+LONGEST_TEXT = 200_000
+"""Characters of one utterance, tags included."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +72,7 @@ class Espeak:
     def speak(self, utterance: Utterance) -> Sound:
         """The sound of a text, the same bytes every time."""
         if len(utterance.text) > LONGEST_TEXT:
-            raise VoiceFailure(f"A line is at most {LONGEST_TEXT} characters long")
+            raise VoiceFailure(f"it takes at most {LONGEST_TEXT} characters at a time")
         head, pcm = self._ask({"do": "speak", **asdict(utterance)})
         return Sound(pcm, int(head["rate"]), tuple(Heard(*event) for event in head["events"]))
 
@@ -124,7 +124,7 @@ class Espeak:
                 stderr=subprocess.DEVNULL,
             )
         except OSError as fault:
-            raise VoiceFailure(f"The voice cannot be started: {fault.strerror}") from None
+            raise VoiceFailure(f"it cannot be started: {fault.strerror}") from None
         self._owner = os.getpid()
         atexit.register(self.close)
         return self._process
@@ -155,5 +155,5 @@ def _exactly(stream: IO[bytes], size: int) -> bytes:
 
 def _broken(late: bool, seconds: float) -> str:
     if late:
-        return f"The voice did not answer within {seconds:g} s"
-    return "The voice broke off"
+        return f"it did not answer within {seconds:g} s"
+    return "it broke off"

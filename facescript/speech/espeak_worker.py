@@ -27,9 +27,8 @@ import os
 import signal
 import struct
 import sys
+from collections.abc import Callable, Iterator
 from typing import IO, Any
-
-import espeakng_loader
 
 SYNCHRONOUS = 2
 """Output mode: mode 1 starts a thread, and a fork after it hangs."""
@@ -38,7 +37,7 @@ PHONEME_EVENTS, PHONEMES_AS_IPA = 1, 2
 RATE, VOLUME, PITCH = 1, 2, 3
 BY_CHARACTER, UTF8, SSML, PHONEMES = 1, 0x1, 0x10, 0x100
 ENDED, WORD, PHONE = 0, 1, 7
-LONGEST_REQUEST = 1 << 20
+LONGEST_REQUEST = 1 << 22
 SECONDS = 30.0
 """An utterance that takes longer is broken off."""
 
@@ -83,6 +82,8 @@ class Espeak:
     """The library, loaded and initialised, and what it has said so far."""
 
     def __init__(self) -> None:
+        import espeakng_loader  # where it is missing, requests must still be answered
+
         self.library = ctypes.CDLL(espeakng_loader.get_library_path())
         data = os.fsencode(espeakng_loader.get_data_path())
         self.rate = self.library.espeak_Initialize(SYNCHRONOUS, 0, data, PHONEME_EVENTS | PHONEMES_AS_IPA)
@@ -185,7 +186,28 @@ def forked(espeak: Espeak, request: dict[str, Any]) -> bytes:
     return answer or packed(({"failure": "espeak-ng broke off in this text"}, b""))
 
 
-def requests(stream: IO[bytes]) -> Any:
+def reloaded(request: dict[str, Any]) -> bytes:
+    """The answer from a library loaded for it."""
+    espeak = Espeak()
+    answer = watched(espeak, request)
+    espeak.close()
+    return answer
+
+
+def opened() -> Callable[[dict[str, Any]], bytes]:
+    """What answers requests; where the library cannot be loaded, it says so."""
+    try:
+        espeak = Espeak()
+    except (ImportError, OSError) as fault:
+        sorry = packed(({"failure": f"espeak-ng cannot be loaded: {fault}"}, b""))
+        return lambda request: sorry
+    if hasattr(os, "fork"):
+        return lambda request: forked(espeak, request)
+    espeak.close()
+    return reloaded
+
+
+def requests(stream: IO[bytes]) -> Iterator[dict[str, Any]]:
     """The requests of a stream, to its end."""
     while len(head := stream.read(4)) == 4:
         size = struct.unpack(">I", head)[0]
@@ -199,14 +221,9 @@ def main() -> None:
     nowhere = os.open(os.devnull, os.O_WRONLY)
     replies = os.fdopen(os.dup(1), "wb")
     os.dup2(nowhere, 1)  # what the library prints must not stand among the answers
-    espeak = Espeak()
+    answered = opened()
     for request in requests(sys.stdin.buffer):
-        if hasattr(os, "fork"):
-            replies.write(forked(espeak, request))
-        else:
-            espeak.close()
-            espeak = Espeak()
-            replies.write(watched(espeak, request))
+        replies.write(answered(request))
         replies.flush()
 
 

@@ -11,6 +11,12 @@ from facescript.speech.model import VoiceFailure
 BREATH = 0.3
 """Seconds of silence that `|` makes."""
 
+LONGEST = 20_000
+"""Characters of a line."""
+
+LONGEST_PAUSE = 600.0
+"""Seconds of one pause inside a line."""
+
 CLAUSE_ENDS = ".,;:!?…。，、；：！？।؟،"
 JOINERS = "'’.,:·"
 """Signs that join the letters or figures on both sides to one word: don't, 2.4, 10:30."""
@@ -25,6 +31,10 @@ class Piece:
     last: int
     marks: tuple[Stretch, ...]
 
+    def readings(self) -> dict[int, Stretch]:
+        """The reading that covers a character, by the character's place in the line."""
+        return {at: mark for mark in self.marks if mark.kind == "reading" for at in range(mark.start, mark.end)}
+
 
 @dataclass(frozen=True, slots=True)
 class Word:
@@ -35,26 +45,54 @@ class Word:
 
 
 def pieces(line: Say) -> tuple[Piece | float, ...]:
-    """The pieces of a line in order; a number is that many seconds of silence. Raises `VoiceFailure` (FS503) where
+    """The pieces of a line in order; a number is that many seconds of silence. Raises `VoiceFailure`: FS503 where
     nothing in the line can be spoken."""
-    if not any(is_letter(sign) for sign in line.text):
+    if not any(map(is_letter, line.text)):
         raise VoiceFailure("it has no letter and no number", "FS503")
+    if len(line.text) > LONGEST:
+        raise VoiceFailure(f"it has {len(line.text)} characters, and a voice takes at most {LONGEST} at a time")
     found: list[Piece | float] = []
     at = 0
     for pause in sorted((mark for mark in line.stretches if mark.kind in ("breath", "pause")), key=lambda m: m.start):
-        found += [_piece(line, at, pause.start), BREATH if pause.kind == "breath" else float(pause.value)]
+        found += [_piece(line, at, pause.start), _silence(pause)]
         at = pause.start
     found.append(_piece(line, at, len(line.text)))
     return tuple(part for part in found if isinstance(part, float) or any(map(is_letter, part.text)))
 
 
+def _silence(pause: Stretch) -> float:
+    seconds = BREATH if pause.kind == "breath" else float(pause.value)
+    if seconds > LONGEST_PAUSE:
+        raise VoiceFailure(f"a pause of {seconds:g} s inside it is longer than {LONGEST_PAUSE:g} s")
+    return seconds
+
+
 def _piece(line: Say, first: int, last: int) -> Piece:
     marks = tuple(
-        Stretch(mark.kind, max(mark.start, first), min(mark.end, last), mark.value)
+        _whole_words(
+            line.text, Stretch(mark.kind, max(mark.start, first), min(mark.end, last), mark.value), first, last
+        )
         for mark in sorted(line.stretches, key=lambda mark: mark.start)
         if mark.kind in ("stress", "reading") and mark.start < last and mark.end > first
     )
     return Piece(line.text[first:last], first, last, marks)
+
+
+def _whole_words(text: str, mark: Stretch, first: int, last: int) -> Stretch:
+    """A stress on a part of a word is on the word: a tag inside it would tear it apart."""
+    start, end = mark.start, mark.end
+    if mark.kind != "stress":
+        return mark
+    while start > first and _in_word(text, start):
+        start -= 1
+    while end < last and _in_word(text, end):
+        end += 1
+    return Stretch("stress", start, end)
+
+
+def _in_word(text: str, at: int) -> bool:
+    """Whether the characters on both sides of a place belong to one word."""
+    return all(is_letter(sign) and not is_unspaced(sign) for sign in text[at - 1 : at + 1])
 
 
 def is_letter(sign: str) -> bool:

@@ -35,6 +35,9 @@ MARKS = {
 }
 """What punctuation becomes in the text that is sent."""
 
+SILENCE = 0.1
+"""A longer gap between syllables is a silence of its own, in seconds."""
+
 NUMBER = re.compile(r"(\d[\d,]*(?:\.\d+)?)([%％]?)")
 
 
@@ -67,9 +70,15 @@ def units(piece: Piece, line: str) -> tuple[Unit, ...]:
     """The piece cut into characters with their syllables, numbers, punctuation and foreign words."""
     read = _readings(line)[piece.first : piece.last]
     found: list[Unit] = []
+    written = piece.readings()
     at = 0
     while at < len(piece.text):
-        unit = _written(piece, at) or _number(piece, at) or _foreign(piece, at) or _character(piece, at, read[at])
+        unit = (
+            _written(piece, at, written.get(piece.first + at))
+            or _number(piece, at)
+            or _foreign(piece, at)
+            or _character(piece, at, read[at])
+        )
         found.append(unit)
         at = unit.last
     return tuple(found)
@@ -87,26 +96,21 @@ def _readings(line: str) -> tuple[str, ...]:
     return tuple(read)
 
 
-def _written(piece: Piece, at: int) -> Unit | None:
-    """The next character of a stretch with a written reading."""
-    for mark in piece.marks:
-        if mark.kind == "reading" and mark.start <= piece.first + at < mark.end:
-            text = piece.text[mark.start - piece.first : mark.end - piece.first]
-            syllables = tuple(numbered(syllable) for syllable in mark.value.split())
-            places = [index for index, sign in enumerate(text) if is_letter(sign)]
-            if len(syllables) == len(places) and is_letter(piece.text[at]):
-                return _unit(piece, at, at + 1, (syllables[places.index(at + piece.first - mark.start)],))
-            if len(syllables) == len(places):
-                return None
-            if any(is_han(sign) for sign in text) or not syllables:
-                raise VoiceFailure(_count_of(mark, text, len(syllables), len(places)), "FS502")
-            return _unit(piece, at, mark.end - piece.first, syllables)
-    return None
+def _written(piece: Piece, at: int, mark: Stretch | None) -> Unit | None:
+    """The next character of a stretch with the written reading `mark`, or all of it where it has no characters."""
+    if mark is None:
+        return None
+    text = piece.text[mark.start - piece.first : mark.end - piece.first]
+    syllables = tuple(numbered(syllable) for syllable in mark.value.split())
+    places = [index for index, sign in enumerate(text, mark.start - piece.first) if is_letter(sign)]
+    if len(syllables) == len(places):
+        return _unit(piece, at, at + 1, (syllables[places.index(at)],)) if at in places else None
+    if any(map(is_han, text)) or not syllables:
+        raise VoiceFailure(_count_of(mark, text, len(syllables), len(places)), "FS502")
+    return _unit(piece, at, mark.end - piece.first, syllables)
 
 
 def _count_of(mark: Stretch, text: str, syllables: int, characters: int) -> str:
-    if mark.value.startswith("/"):
-        return f"a Mandarin reading is pinyin, not IPA: `{mark.value}`"
     return f"`{mark.value}` has {syllables} syllables and `{text}` has {characters} characters"
 
 
@@ -202,6 +206,8 @@ def _timed(piece: Piece, run: Sequence[Unit], places: list[int], sound: Sound) -
             start, limit = next(spans)
             within = [phone for phone in heard if start <= phone.start < limit]
             times.append((start, within[-1].end if within else limit))
+            if mouth and start - mouth[-1].end > SILENCE:
+                mouth.append(PhoneTime("", mouth[-1].end, start))
             mouth += timed(syllable, *times[-1], _release(syllable, within, start))
         if times:
             text = piece.text[unit.first : unit.last]

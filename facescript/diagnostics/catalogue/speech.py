@@ -22,7 +22,7 @@ SPEECH: tuple[Entry, ...] = (
         "reading-unspeakable",
         Severity.ERROR,
         "This reading cannot be spoken: {reason}.",
-        'face mei = woman, voice cmn\n\nsay "他[read zhong3]长[/]大了。"\n',
+        'face mei = woman, voice cmn\n\nsay "他[read zhang]长[/]大了。"\n',
         'face mei = woman, voice cmn\n\nsay "他[read zhang3]长[/]大了。"\n',
         "A reading is pinyin with tone numbers, a syllable a character, for Mandarin; kana for Japanese; `/IPA/` in the "
         "sounds of the voice's language, or another spelling, for every other language.",
