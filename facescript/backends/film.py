@@ -11,11 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from facescript.backends.encoder import Encoder
-from facescript.backends.frames import Bytes, even, film_planes, pictures
-from facescript.backends.job import Job, JobFailure
+from facescript.backends.frames import Bytes, drawing_faults, even, film_planes, pictures
+from facescript.backends.job import Job
 from facescript.backends.wav import write_wav
-from facescript.canvas.thorvg import CanvasFailure
-from facescript.stage.photo import PictureFailure
 
 EXACT = ("-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-flags:a", "+bitexact")
 """Nothing of the time or the machine in the file."""
@@ -57,7 +55,7 @@ def write_gif(job: Job, path: Path) -> None:
     step = int(np.ceil(job.fps / SWIFTEST_GIF))
     times = job.times()[::step]
     source = raw_input("rgb24", job.stage.width, job.stage.height, job.fps / step)
-    with tempfile.TemporaryDirectory(prefix="facescript-") as folder, _faults():
+    with tempfile.TemporaryDirectory(prefix="facescript-") as folder, drawing_faults():
         palette = Path(folder) / "palette.png"
         some = times[np.unique(np.linspace(0, len(times) - 1, PALETTE_FRAMES).round().astype(int))]
         _encode(pictures(job.stage, some), (*source, "-vf", "palettegen", "-update", "1", "-f", "image2"), palette)
@@ -69,7 +67,7 @@ def write_gif(job: Job, path: Path) -> None:
 def _write_film(job: Job, path: Path, kind: Sequence[str]) -> None:
     times = job.times()
     picture = raw_input("yuv420p", even(job.stage.width), even(job.stage.height), job.fps)
-    with _faults(), _sound_file(job) as heard, film_planes(job.stage, times, job.jobs) as frames:
+    with drawing_faults(), _sound_file(job) as heard, film_planes(job.stage, times, job.jobs) as frames:
         options = (*picture, *heard, *COLOURS, *kind, *EXACT)
         _encode(_counted(job, frames, len(times)), options, path)
 
@@ -103,12 +101,3 @@ def _sound_file(job: Job) -> Iterator[tuple[str, ...]]:
         path = Path(folder) / "sound.wav"
         write_wav(job, path)
         yield "-i", str(path)
-
-
-@contextmanager
-def _faults() -> Iterator[None]:
-    """Whatever keeps the film from being made as the one exception of all outputs."""
-    try:
-        yield
-    except (PictureFailure, CanvasFailure) as fault:
-        raise JobFailure(fault.args[0]) from None

@@ -34,6 +34,19 @@ DRAWN, FREE = b"drawn", b"free"
 """What the processes tell each other."""
 
 
+FAULTS = (PictureFailure, CanvasFailure)
+"""What can keep a frame from being drawn."""
+
+
+@contextmanager
+def drawing_faults() -> Iterator[None]:
+    """Faults of drawing as the one exception of all outputs, `JobFailure`."""
+    try:
+        yield
+    except FAULTS as fault:
+        raise JobFailure(fault.args[0]) from None
+
+
 def even(size: int) -> int:
     """The next even number of pixels: chroma has half the resolution."""
     return size + size % 2
@@ -153,5 +166,5 @@ def _draw(stage: Stage, times: Floats, slots: Sequence[Bytes], link: Connection,
                     link.recv_bytes()
                 slots[number % SLOTS][...] = frame
                 link.send_bytes(DRAWN)
-        except (PictureFailure, CanvasFailure, MemoryError) as fault:
-            link.send_bytes(str(fault).encode() or b"out of memory")
+        except FAULTS as fault:
+            link.send_bytes(fault.args[0].encode())

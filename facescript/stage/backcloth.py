@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from facescript.canvas.thorvg import Canvas, Outline
 from facescript.rig.picture import Paint
 from facescript.stage.ground import Backdrop, Ground, Layer, Photo
-from facescript.stage.photo import photo
+from facescript.stage.photo import PictureFailure, photo
+from facescript.world import WorldFailure
 
 Pixels = NDArray[np.uint32]
 
@@ -42,8 +43,14 @@ class Backcloth:
 
     def _painted(self, layer: Layer) -> Pixels:
         if isinstance(layer, Photo):
-            return photo(self._pictures(layer.path), self._width, self._height)
+            return self._photo(layer.path)
         return self._filled(layer.paint if isinstance(layer, Backdrop) else layer)
+
+    def _photo(self, path: str) -> Pixels:
+        try:
+            return photo(self._pictures(path), self._width, self._height)
+        except (WorldFailure, PictureFailure) as fault:
+            raise PictureFailure(f"the picture `{path}` cannot be used: {fault.args[0]}") from None
 
     def _filled(self, paint: Paint) -> Pixels:
         pixels = np.full((self._height, self._width), 0xFFFFFFFF, dtype=np.uint32)

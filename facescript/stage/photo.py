@@ -17,7 +17,7 @@ MOST_PIXELS = 64_000_000
 
 
 class PictureFailure(Exception):
-    """A background picture that cannot be used; `args[0]` is a clause for the author ("it is not a picture")."""
+    """A background picture that cannot be used; `args[0]` says why, without a full stop."""
 
 
 def photo(data: bytes, width: int, height: int) -> NDArray[np.uint32]:

@@ -33,7 +33,7 @@ class Stage:
     """The whole picture of a film, a pure function of time.
 
     `shapes` are in drawing order: the backdrops of all faces, then face by face. With several faces their ids carry
-    the face's name (`ada-mouth`); `owners` are the shapes' faces. `pictures` reads the bytes of a background picture by its path.
+    the face's name (`ada-mouth`); `owners` are the shapes' faces. `pictures` reads a background picture by its path.
     """
 
     def __init__(self, score: Score, performance: Performance, pictures: Callable[[str], bytes]) -> None:
