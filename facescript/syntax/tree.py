@@ -36,7 +36,9 @@ class String:
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """`300ms`, `-12cm`, `80%`, `17/min`, `30fps`. `unit` is as written; `value` is the number before it."""
+    """`300ms`, `-12cm`, `80%`, `17/min`, `30fps`. `unit` is as written (`/min`); `value` is the number before it.
+
+    A bare number with a decimal point is one too, its unit empty."""
 
     value: float
     unit: str
@@ -268,7 +270,9 @@ Item = Definition | Statement
 
 @dataclass(frozen=True, slots=True)
 class Script:
-    """A whole file: its items in the order written."""
+    """A whole file: its items in the order written. `lost` are the names in lines that could not be read: what is said
+    of these names elsewhere may be the fault of those lines."""
 
     source: Source
     items: tuple[Item, ...]
+    lost: frozenset[str] = frozenset()

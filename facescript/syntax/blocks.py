@@ -1,0 +1,99 @@
+"""Lines to top-level blocks: how deep each line stands, and where one block ends and the next begins."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from facescript.syntax.faults import Faults
+from facescript.syntax.lexer import Line
+
+DEEPEST = 32
+"""How many blocks, counted by their colons, may stand in each other; brackets likewise."""
+
+Block = list[Line]
+"""A line without indentation and those indented below it."""
+
+
+def cut(lines: list[Line], faults: Faults) -> list[Block]:
+    """The top-level blocks of a script, each line's `level` set. Lines nested deeper than `DEEPEST` are left out."""
+    _Levels(faults).set(lines)
+    blocks: list[Block] = []
+    for line in _shallow(lines, faults):
+        if line.level == 0 or not blocks:
+            blocks.append([])
+        blocks[-1].append(line)
+    return blocks
+
+
+class _Levels:
+    """Gives each line the number of indented blocks it stands in.
+
+    `widths` are the indentations of the blocks open at a line. An indentation between two of them is reported once and
+    taken for the nearer one, the inner one if in doubt; `odd` remembers it, so that the lines beside it are not reported.
+    """
+
+    def __init__(self, faults: Faults) -> None:
+        self.faults = faults
+        self.widths = [0]
+        self.odd: dict[int, int] = {}
+
+    def set(self, lines: list[Line]) -> None:
+        for line in lines:
+            line.level = self._level(line)
+
+    def _level(self, line: Line) -> int:
+        indent, widths = line.indent, self.widths
+        inner = indent
+        while widths[-1] > indent:
+            inner = widths.pop()
+        if widths[-1] == indent:
+            self.odd.clear()
+        elif indent in self.odd:
+            self._reopen(self.odd[indent], inner)
+        elif inner == indent:
+            widths.append(indent)
+        else:
+            self._between(line, widths[-1], inner)
+        return len(widths) - 1
+
+    def _between(self, line: Line, outer: int, inner: int) -> None:
+        width = inner if inner - line.indent <= line.indent - outer else outer
+        start = self.faults.source.text.rfind("\n", 0, line.begin) + 1
+        fix = self.faults.fix(f"indent by {width}", (start, line.begin, " " * width))
+        self.faults.add("FS107", start, line.begin, fix, indent=line.indent, outer=outer, inner=inner)
+        line.faulty = True
+        self.odd[line.indent] = width
+        self._reopen(width, inner)
+
+    def _reopen(self, width: int, inner: int) -> None:
+        if width == inner:
+            self.widths.append(inner)
+
+
+def _shallow(lines: list[Line], faults: Faults) -> Iterator[Line]:
+    """The lines without those nested too deep; the first of these stays as a spoilt one, so that no block lacks a body."""
+    depths = [0]
+    dropped: int | None = None
+    for line in lines:
+        if dropped is not None and line.level > dropped:
+            continue
+        dropped = None
+        depth = depths[line.level] + max(1, sum(token[0] == "COLON" for token in line.tokens))
+        if max(depth, _brackets(line)) > DEEPEST:
+            faults.add("FS118", line.begin, line.end, deepest=DEEPEST)
+            line.spoilt = line.faulty = True
+            dropped = line.level
+        depths[line.level + 1 :] = [depth]
+        yield line
+
+
+def _brackets(line: Line) -> int:
+    """How deep the brackets of a line stand in each other."""
+    deepest = open_ = 0
+    for kind, *_ in line.tokens:
+        if kind == "RPAR":
+            open_ = max(0, open_ - 1)
+        elif kind in ("LPAR", "_OPEN"):
+            open_ += 1
+            deepest = max(deepest, open_)
+    return deepest

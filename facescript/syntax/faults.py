@@ -1,0 +1,41 @@
+"""The faults found in one parse, in the order of their places and bounded in number."""
+
+from __future__ import annotations
+
+from facescript.diagnostics.catalogue import diagnose
+from facescript.diagnostics.model import Diagnostic, Diagnostics, Edit, Fix
+from facescript.text import Source, Span
+
+MOST = 200
+"""How many diagnostics one parse gives; the next one says that there are more."""
+
+
+class Faults:
+    """Collects what is wrong with a source; places are offsets in it."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.found = 0
+        self._items: list[Diagnostic] = []
+
+    def span(self, start: int, end: int) -> Span:
+        return Span(self.source, start, end)
+
+    def add(self, code: str, start: int, end: int, fix: Fix | None = None, **values: object) -> None:
+        """One diagnostic with at most one fix. What comes after `MOST` of them is not made: it would not be read."""
+        self.found += 1
+        if self.found <= MOST + 1:
+            fixes = (fix,) if fix else ()
+            self._items.append(diagnose(code, self.span(start, end), fixes=fixes, **values))
+
+    def fix(self, title: str, *edits: tuple[int, int, str]) -> Fix:
+        """A fix of edits (start, end, new text)."""
+        return Fix(title, tuple(Edit(self.span(start, end), text) for start, end, text in edits))
+
+    def pour(self, diagnostics: Diagnostics) -> None:
+        """All of them, by place, into the list that every pass appends to."""
+        found = sorted(self._items[:MOST], key=lambda item: item.span.start if item.span else 0)
+        for item in found:
+            diagnostics.add(item)
+        if self.found > MOST:
+            diagnostics.add(diagnose("FS119", self._items[MOST].span, most=MOST))

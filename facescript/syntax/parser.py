@@ -1,0 +1,33 @@
+"""A source to the tree of a script; and the phrases of a cue that stands in a text."""
+
+from __future__ import annotations
+
+from facescript.diagnostics.model import Diagnostics
+from facescript.syntax.blocks import cut
+from facescript.syntax.faults import Faults
+from facescript.syntax.lexer import lex, lex_piece
+from facescript.syntax.reader import Reader
+from facescript.syntax.tree import Item, Phrase, Script
+from facescript.text import Source, Span
+
+
+def parse(source: Source, diagnostics: Diagnostics) -> Script:
+    """The tree of all that can be read; what cannot is in `diagnostics` (codes FS1xx), its names in `Script.lost`."""
+    faults = Faults(source)
+    lexed = lex(source, faults)
+    if not lexed.lines and not faults.found:
+        faults.add("FS123", 0, 0)
+    reader = Reader(faults)
+    items: list[Item] = []
+    for block in cut(lexed.lines, faults):
+        items += reader.items(block)
+    faults.pour(diagnostics)
+    return Script(source, tuple(items), frozenset(reader.lost))
+
+
+def parse_phrases(span: Span, diagnostics: Diagnostics) -> tuple[Phrase, ...] | None:
+    """The phrases of a piece of one line: a cue in a text, a value on the command line. None where it cannot be read."""
+    faults = Faults(span.source)
+    phrases: tuple[Phrase, ...] | None = Reader(faults).cue(lex_piece(span.text, span.start, faults))
+    faults.pour(diagnostics)
+    return phrases

@@ -1,0 +1,163 @@
+"""The lines of a block to its items: a line that cannot be read is reported and left out, the lines around it stay."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from facescript.syntax.blocks import Block
+from facescript.syntax.builder import TERMINALS, Builder
+from facescript.syntax.faults import Faults
+from facescript.syntax.lexer import Line
+from facescript.syntax.machine import Machine, Mark, Rule
+from facescript.syntax.mends import mend
+from facescript.syntax.spacing import Token
+from facescript.syntax.table import table
+
+
+class Reader:
+    """Reads blocks of one source; `lost` are the names in the lines that were left out."""
+
+    def __init__(self, faults: Faults) -> None:
+        self.faults = faults
+        self.lost: set[str] = set()
+        builder = Builder(faults.source)
+        self.terminals = {kind: getattr(builder, method) for kind, method in TERMINALS.items()}
+        self.rules = [
+            Rule(name, length, None if make in ("", "+") else getattr(builder, make), make == "+", kept, chains)
+            for name, length, make, kept, chains in table().rules
+        ]
+
+    def items(self, block: Block) -> Any:
+        """The items of a top-level block."""
+        return _BlockReader(self, self._machine("start")).read(block)
+
+    def cue(self, line: Line) -> Any:
+        """The phrases of a line that is no statement of its own; None where it cannot be read."""
+        machine = self._machine("cue")
+        count = 0 if line.spoilt else machine.run(line.tokens)
+        place = line.end
+        if line.spoilt or count < len(line.tokens) or not machine.accepts("$END"):
+            if not line.faulty:
+                mend([*line.tokens, ("_NL", "", place, place)], count, machine.accepts, self.faults)
+            return None
+        return machine.finish(place)
+
+    def _machine(self, start: str) -> Machine:
+        return Machine(table(), self.rules, self.terminals, start)
+
+
+class _BlockReader:
+    """`open` says of each level of indentation whether the grammar knows of it: one that opens no block is passed over."""
+
+    def __init__(self, reader: Reader, machine: Machine) -> None:
+        self.lost, self.faults, self.machine = reader.lost, reader.faults, machine
+        self.open: list[bool] = []
+        self.before: tuple[Line, Mark] | None = None
+        self.place = 0
+
+    def read(self, block: Block) -> Any:
+        self.place = block[0].begin
+        for line in block:
+            self._close(line.level)
+            if line.level > len(self.open):
+                self._open(line)
+            elif self._hungry():
+                self._no_body()
+            self._line(line)
+        self._close(0)
+        if self._hungry():
+            self._no_body()
+        return self.machine.finish(self.place)
+
+    def _line(self, line: Line) -> None:
+        mark = self.machine.mark()
+        tokens = self._left_out(line) if line.spoilt else self._ended(line.tokens)
+        count = self.machine.run(tokens)
+        while count < len(tokens):
+            mended = None
+            if not line.faulty:
+                mended = mend(tokens, count, self.machine.accepts, self.faults)
+                line.faulty = True
+            self.machine.restore(mark)
+            tokens = mended or self._left_out(line)
+            count = self.machine.run(tokens)
+        self.before = line, mark
+        self.place = tokens[-1][3]
+
+    def _left_out(self, line: Line) -> list[Token]:
+        """What stands for a line that cannot be read."""
+        self.lost.update(token[1].split(".")[0] for token in line.tokens if token[0] in ("NAME", "DOTTED"))
+        return self._ended([("FAULT", "", line.begin, line.end)])
+
+    def _ended(self, tokens: list[Token]) -> list[Token]:
+        end = tokens[-1][3]
+        return [*tokens, ("_NL", "", end, end)]
+
+    def _mark(self, kind: str) -> Token:
+        """A token that the author sees as indentation."""
+        return kind, "", self.place, self.place
+
+    def _close(self, level: int) -> None:
+        while len(self.open) > level:
+            if self._hungry():
+                self._no_body()
+            if self.open.pop():
+                self.machine.run([self._mark("_DEDENT")])
+
+    def _open(self, line: Line) -> None:
+        """Enter the block that a line begins by its indentation, where there is one."""
+        must = self._hungry()
+        mark = self.machine.mark()
+        if self.machine.run([self._mark("_INDENT")]):
+            first = "FAULT" if line.spoilt else line.tokens[0][0]
+            if must or self.machine.accepts("NAME") or self.machine.accepts(first):
+                self.open.append(True)
+                return
+        self.machine.restore(mark)
+        if self.before and _lacks_colon(self.before[0]):
+            self._add_colon(*self.before)
+            self.open.append(True)
+            return
+        self.open.append(False)
+        self._unexpected(line)
+
+    def _unexpected(self, line: Line) -> None:
+        if line.faulty:
+            return
+        start = self.faults.source.text.rfind("\n", 0, line.begin) + 1
+        margin = " " * (self.before[0].indent if self.before else 0)
+        fix = self.faults.fix(
+            "indent it like the line above" if self.before else "remove the spaces", (start, line.begin, margin)
+        )
+        self.faults.add("FS108", start, line.begin, fix)
+        line.faulty = True
+
+    def _add_colon(self, header: Line, mark: Mark) -> None:
+        """Read the line above again with the colon that it lacks."""
+        end = header.end
+        if not header.faulty:
+            self.faults.add(
+                "FS120", header.begin, end, self.faults.fix("write `:`", (end, end, ":")), header=header.tokens[-1][1]
+            )
+            header.faulty = True
+        self.machine.restore(mark)
+        self.machine.run([*self._ended([*header.tokens, ("COLON", ":", end, end)]), self._mark("_INDENT")])
+
+    def _hungry(self) -> bool:
+        """Whether a block must follow: the line before ended in its colon."""
+        return self.machine.hungry
+
+    def _no_body(self) -> None:
+        """Report a colon with nothing below it, and have the machine believe that there was a line."""
+        if self.before and not self.before[0].faulty:
+            line = self.before[0]
+            self.faults.add("FS122", line.end - 1, line.end, header=line.tokens[0][1])
+            line.faulty = True
+        self.machine.run([self._mark(kind) for kind in ("_INDENT", "FAULT", "_NL", "_DEDENT")])
+
+
+def _lacks_colon(line: Line) -> bool:
+    """Whether a line that opens no block looks as if it should: it ends in one name, or in `in turn`."""
+    colons = [index for index, token in enumerate(line.tokens) if token[0] == "COLON"]
+    last = line.tokens[colons[-1] + 1 if colons else 0 :]
+    return [token[1] for token in last] == ["in", "turn"] or (len(last) == 1 and last[0][0] == "NAME")
