@@ -82,7 +82,10 @@ class Past:
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """What a shift is asked for: the aim made definite, the parts and the manner, and the length an author gave it."""
+    """What a shift is asked for: the aim made definite, the manner, and the length an author gave it.
+
+    `parts` are those it moves: in a shift back they may be fewer than the manner's.
+    """
 
     aim: Aim
     parts: str
@@ -172,7 +175,7 @@ class Shifter:
         if wish.manner.head_share is not None:
             share = number(wish.manner.head_share)
             return (share, share), (0.0, 0.0)
-        if wish.parts == "head only":
+        if wish.manner.parts == "head only":
             return (1.0, 1.0), (0.0, 0.0)
         if not wish.glance and self.face.gaze != "eye-mover":
             return self._usual(target), (0.0, 0.0)
