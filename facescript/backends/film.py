@@ -18,7 +18,7 @@ from facescript.backends.wav import write_wav
 EXACT = ("-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-flags:a", "+bitexact")
 """Nothing of the time or the machine in the file."""
 
-COLOURS = ("-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709")
+COLOURS = ("-vf", "setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=bt709")
 """What the planes are (`canvas.planes`)."""
 
 MP4 = (

@@ -51,8 +51,9 @@ class Outlines:
         moved = self._moved(fresh)
         self._points = fresh
         self._levels = np.rint(255 * np.clip(opacity, 0.0, 1.0)).astype(np.int64)
-        self._stale |= moved
         shaded = self._levels != self._before[2]
+        # A new opacity needs a new outline too: ThorVG mixes it into a gradient's colours only then.
+        self._stale |= moved | shaded
         self._push(shaded)
         touched: Bools = (moved | shaded) & ((self._levels > 0) | (self._before[2] > 0))
         return touched
