@@ -2,21 +2,171 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from dataclasses import replace
 
+from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostics
-from facescript.ir.play import Play
-from facescript.syntax.tree import Script
+from facescript.ir.acts import Life
+from facescript.ir.play import Event, Play, Reaction
+from facescript.resolve import events
+from facescript.resolve.blocks import statements
+from facescript.resolve.checks import check_definitions, check_unused
+from facescript.resolve.definitions import collect, library_names
+from facescript.resolve.faces import default_face, face
+from facescript.resolve.film import film
+from facescript.resolve.lexer import Unreadable, phrases_of
+from facescript.resolve.lives import preset
+from facescript.resolve.marks import check_marks
+from facescript.resolve.project import MOST_NODES, Project, Refused, TooMuch
+from facescript.resolve.scenes import main_scene, opening, scenes
+from facescript.resolve.suggest import meant
+from facescript.resolve.targets import target
+from facescript.resolve.uses import library, used
+from facescript.syntax import tree
+from facescript.text import Source, Span
 from facescript.world import World
 
 NOTHING: Mapping[str, str] = {}
 
 
 def resolve(
-    script: Script, world: World, diagnostics: Diagnostics, overrides: Mapping[str, str] = NOTHING
+    script: tree.Script, world: World, diagnostics: Diagnostics, overrides: Mapping[str, str] = NOTHING
 ) -> Play | None:
     """The play of a script, or None where something in it is an error (then `diagnostics` says what).
 
     `overrides` are values of `let`s by name, as text of the language (`--set NAME=VALUE`).
     """
-    return None
+    project = Project(world, diagnostics, library_names(library(world)), spoilt=_spoilt(diagnostics))
+    try:
+        play = _resolved(project, script, overrides)
+    except TooMuch as fault:
+        diagnostics.add(diagnose("FS322", fault.args[0], most=MOST_NODES, what="statements"))
+        return None
+    return None if diagnostics.failed else play
+
+
+def _resolved(project: Project, script: tree.Script, overrides: Mapping[str, str]) -> Play:
+    _define(project, script, overrides)
+    settings = [item for item in script.items if isinstance(item, tree.Setting)]
+    project.film = film(project, [item for item in settings if item.kind == "film"])
+    _people(project, script)
+    scripted = _events(project, [item for item in settings if item.kind == "event"])
+    project.persons_arrive = any(event.kind == "arrives" for event in scripted)
+    before = opening(project, script) if _has_scenes(script) else None
+    played = scenes(project, script, before) if before is not None else [main_scene(project, script)]
+    reactions = _reactions(project, script, scripted)
+    check_marks(project)
+    check_definitions(project, statements, tuple(project.faces))
+    check_unused(project, script)
+    return Play(
+        project.film,
+        tuple(project.faces.values()),
+        tuple(found for found in project.targets.values() if found is not None),
+        tuple(played),
+        tuple(reactions),
+        tuple(scripted),
+        before.background if before is not None else None,
+        before.view if before is not None else None,
+        _lives(project),
+    )
+
+
+def _has_scenes(script: tree.Script) -> bool:
+    return any(isinstance(item, tree.Scene) for item in script.items)
+
+
+# ------------------------------------------------------------------------------------------------ definitions
+
+
+def _define(project: Project, script: tree.Script, overrides: Mapping[str, str]) -> None:
+    for other in used(project, script):
+        collect(project, other, own=False)
+    collect(project, script, own=True)
+    for name, text in overrides.items():
+        _override(project, name, text)
+
+
+def _override(project: Project, name: str, text: str) -> None:
+    """Gives a `let` another value, from the command line."""
+    source = Source("--set", f"{name}={text}")
+    span = Span(source, 0, len(source.text))
+    definition = project.names.written.get(name)
+    if definition is None or not isinstance(definition.node, tree.LetDefinition):
+        clause, _ = meant(name, project.names.known("let"), span)
+        project.report("FS232", span, name=name, meant=clause)
+        return
+    try:
+        phrases = phrases_of(source, len(name) + 1, len(source.text))
+    except Unreadable as fault:
+        phrases = ()
+        span = fault.args[0]
+    if len(phrases) != 1 or not phrases[0].words:
+        advice = "a value such as `2s`, `40%` or `smile 40%` belongs here"
+        project.report("FS312", span, text=span.text or text, advice=advice)
+        return
+    definition.node = replace(definition.node, value=phrases[0])
+
+
+def _people(project: Project, script: tree.Script) -> None:
+    """Faces, and targets, whose definitions may be anywhere in the files."""
+    for definition in list(project.names.written.values()):
+        node = definition.node
+        if not isinstance(node, tree.Declaration):
+            continue
+        if definition.kind == "face":
+            project.faces[definition.name] = face(project, node)
+        elif definition.kind == "target":
+            try:
+                project.targets[definition.name] = target(project, node)
+            except Refused:
+                project.targets[definition.name] = None
+    if not project.faces and not any(item for item in project.names.all("face")):
+        only = default_face(project, Span(script.source, 0, 0))
+        project.faces[only.name] = only
+
+
+def _lives(project: Project) -> tuple[tuple[str, Life], ...]:
+    return tuple(
+        (definition.name, preset(project, definition.name, definition.span))
+        for definition in project.names.written.values()
+        if definition.kind == "life"
+    )
+
+
+# ------------------------------------------------------------------------------------------------ events
+
+
+def _events(project: Project, settings: list[tree.Setting]) -> list[Event]:
+    found = []
+    for setting in settings:
+        try:
+            found.append(events.event(project, setting))
+        except Refused:
+            continue
+    return found
+
+
+def _reactions(project: Project, script: tree.Script, scripted: list[Event]) -> list[Reaction]:
+    found: list[Reaction] = []
+    for node in (item for item in script.items if isinstance(item, tree.When)):
+        try:
+            found.append(events.reaction(project, node, tuple(project.faces), len(found) + 1))
+        except Refused:
+            continue
+    events.check_reached(project, found, scripted)
+    return found
+
+
+_DEFINED = re.compile(r"\b(?:face|target|expression|action|life|let|as)\s+([^\W\d]\w*(?:-[^\W\d]\w*)*)")
+
+
+def _spoilt(diagnostics: Diagnostics) -> frozenset[str]:
+    """Names that lines which could not be read may have defined: they are not called unknown as well."""
+    names: set[str] = set()
+    for item in diagnostics:
+        if item.code.startswith("FS1") and item.span is not None:
+            line, _ = item.span.source.position(item.span.start)
+            names.update(_DEFINED.findall(item.span.source.line(line)))
+    return frozenset(names)

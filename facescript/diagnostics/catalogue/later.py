@@ -3,5 +3,74 @@
 from __future__ import annotations
 
 from facescript.diagnostics.catalogue.model import Entry
+from facescript.diagnostics.model import Severity
 
-LATER: tuple[Entry, ...] = ()
+LATER: tuple[Entry, ...] = (
+    Entry(
+        "FS801",
+        "later-recording",
+        Severity.ERROR,
+        "Speaking with a recording (`from`) is part of the language and not in this version.",
+        'say "Hello." from "take.wav"\n',
+        'say "Hello."\n',
+        "A recording with its transcript, or alone.",
+    ),
+    Entry(
+        "FS802",
+        "later-timed",
+        Severity.ERROR,
+        "Word times from a file (`timed`) are part of the language and not in this version.",
+        'say "Hello." timed "take.TextGrid"\n',
+        'say "Hello."\n',
+    ),
+    Entry(
+        "FS803",
+        "later-play",
+        Severity.ERROR,
+        "Recorded channels (`play`) are part of the language and not in this version.",
+        'play "take.csv"\n',
+        "show smile\n",
+    ),
+    Entry(
+        "FS804",
+        "later-track",
+        Severity.ERROR,
+        "A target that follows a file (`from`) is part of the language and not in this version.",
+        'target fly from "track.csv"\nlook at fly\n',
+        "target fly moves\n    0s -80cm 0cm 2m\n    4s 80cm 0cm 2m\nlook at fly\n",
+        "`moves` takes the places as keys.",
+    ),
+    Entry(
+        "FS805",
+        "later-animal",
+        Severity.ERROR,
+        "The face `{kind}` is part of the language and not in this version; there are `woman`, `man` and `unseen`.",
+        "face rex = dog\nrex: nod\n",
+        "face rex = man\nrex: nod\n",
+    ),
+    Entry(
+        "FS806",
+        "later-people",
+        Severity.ERROR,
+        "`people` are whom a camera sees, which is not in this version; here only `event TARGET arrives "
+        "at 2s` brings somebody.",
+        "scan people, 600ms each\n",
+        "target ann at 40cm 0cm 2m\nscan people, 600ms each\nevent ann arrives at 1s\n",
+    ),
+    Entry(
+        "FS807",
+        "later-people-passes",
+        Severity.ERROR,
+        "`repeat` over `people` needs a camera, which is not in this version.",
+        "target ann at 40cm 0cm 2m\nrepeat one in people:\n    look at one\nevent ann arrives at 1s\n",
+        "target crowd of (-60cm 0cm 2m) (50cm 10cm 2m)\nrepeat one in crowd:\n    look at one\n",
+    ),
+    Entry(
+        "FS808",
+        "later-reaction",
+        Severity.HINT,
+        "Only live use, which is not in this version, could start this reaction: no `event` in the script does.",
+        'nod\nwhen heard "no":\n    nod\n',
+        'nod\nwhen heard "no":\n    nod\nevent heard "no" at 1s\n',
+    ),
+)

@@ -1,0 +1,55 @@
+"""The labels of a scope, gathered before its statements are read, so that a name may be used before its line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from facescript.diagnostics.model import Related
+from facescript.resolve.project import Project
+from facescript.resolve.scope import Labels
+from facescript.resolve.words import WORDS
+from facescript.syntax import tree
+
+
+def gather(project: Project, body: tuple[tree.Statement, ...], prefix: str, parent: Labels | None = None) -> Labels:
+    """The labels of a scene, an action, a reaction or a pass of a repeat; names that are taken are reported."""
+    labels = Labels(prefix, parent=parent)
+    for name in _named(body):
+        _declare(project, labels, name)
+    return labels
+
+
+def _declare(project: Project, labels: Labels, name: tree.Name) -> None:
+    if name.text in WORDS:
+        project.report("FS209", name.span, name=name.text)
+        return
+    earlier = labels.names.get(name.text)
+    if earlier is None:
+        definition = project.names.written.get(name.text)
+        earlier = definition.span if definition is not None else None
+        labels.names[name.text] = name.span
+    if earlier is not None and earlier != name.span:
+        project.report("FS208", name.span, related=(Related(earlier, "it is here already"),), name=name.text)
+    elif name.text in project.names.library:
+        project.report("FS210", name.span, name=name.text, kind=project.names.library[name.text].kind)
+
+
+def _named(body: tuple[tree.Statement, ...]) -> Iterator[tree.Name]:
+    """The names given with `as` in a block; a repeat's own belong to its passes."""
+    for statement in body:
+        if isinstance(statement, tree.Act):
+            yield from _label(statement.phrases)
+            for on in statement.ons:
+                yield from _named(on.body)
+        elif not isinstance(statement, tree.Repeat):
+            yield from _named(statement.body)
+
+
+def _label(phrases: tuple[tree.Phrase, ...]) -> Iterator[tree.Name]:
+    for phrase in phrases:
+        words = phrase.words
+        for index in range(1 if phrase is phrases[0] else 0, len(words) - 1):
+            word, name = words[index], words[index + 1]
+            if isinstance(word, tree.Name) and word.text == "as" and isinstance(name, tree.Name):
+                yield name
+                return

@@ -1,0 +1,97 @@
+"""`say` to an act: its text, its voice, what only later work runs; and voices as faces have them."""
+
+from __future__ import annotations
+
+import re
+
+from facescript.ir.acts import Say, Voice
+from facescript.resolve.lines import Line
+from facescript.resolve.place import Place
+from facescript.resolve.project import Project
+from facescript.resolve.reader import Reader
+from facescript.resolve.texts import Inline, Piece, pieces_of, read_text
+from facescript.resolve.units import SHARE
+from facescript.syntax.tree import Name, String, Word
+from facescript.text import Span
+from facescript.world import WorldFailure
+
+_LANGUAGE = re.compile(r"[a-z]{2,3}(-[a-z0-9]{1,8})*")
+_VARIANT = re.compile(r"[A-Za-z][\w-]*")
+
+SLOWEST = 0.1
+"""The smallest `rate`, `pitch` or `volume` factor but 0 volume."""
+
+
+def say(project: Project, line: Line, place: Place, more: tuple[String, ...]) -> tuple[Say, tuple[Inline, ...]]:
+    """A spoken line and the statements between its brackets, which still have to be read. Raises `Refused`."""
+    reader = line.reader()
+    reader.next()
+    recorded = _later(project, line)
+    pieces = _pieces(project, reader, more, recorded)
+    line.finish(reader)
+    voice = spoken_with(project.faces[place.face].voice if place.face in project.faces else Voice(), line)
+    if not pieces:
+        return Say("", voice), ()
+    text = read_text(project, pieces, line.scope, line.span)
+    return Say(text.plain, voice, text.stretches), text.inlines
+
+
+def _later(project: Project, line: Line) -> bool:
+    """Reports recordings and given times, which this version does not run; whether there is a recording."""
+    for name, code in (("from", "FS801"), ("timed", "FS802")):
+        if name in line.parts:
+            project.report(code, line.spans[name])
+    return "from" in line.parts
+
+
+def _pieces(project: Project, reader: Reader, more: tuple[String, ...], recorded: bool) -> tuple[Piece, ...]:
+    if reader.word("text"):
+        return (_file(project, reader),)
+    strings = []
+    while isinstance(word := reader.peek(), String):
+        strings.append(word)
+        reader.next()
+    if not strings and not recorded:
+        raise project.refuse("FS312", reader.here(), text=reader.here().text, advice='it is written `say "TEXT"`')
+    return pieces_of((*strings, *more))
+
+
+def _file(project: Project, reader: Reader) -> Piece:
+    word = reader.next()
+    if not isinstance(word, String):
+        span = word.span if word is not None else reader.span
+        raise project.refuse("FS312", span, text=span.text, advice='it is written `say text "FILE"`')
+    try:
+        source = project.world.source(word.value)
+    except WorldFailure as failure:
+        raise project.refuse("FS701", word.span, path=word.value, reason=failure.args[0]) from None
+    return source, 0, len(source.text)
+
+
+def spoken_with(voice: Voice, line: Line) -> Voice:
+    """A voice with a line's `rate pitch volume`, each a factor of the voice's own. Raises `Refused`."""
+    rate = line.factor("rate", SHARE, SLOWEST)
+    pitch = line.factor("pitch", SHARE, SLOWEST)
+    volume = line.factor("volume", SHARE)
+    if rate is None and pitch is None and volume is None:
+        return voice
+    return Voice(
+        voice.language,
+        voice.variant,
+        voice.rate * (1.0 if rate is None else rate),
+        voice.pitch * (1.0 if pitch is None else pitch),
+        voice.volume * (1.0 if volume is None else volume),
+    )
+
+
+def voice_named(project: Project, words: tuple[Word, ...], span: Span) -> Voice:
+    """`en-us female`: a language as espeak-ng names it, and a variant. Whether it exists is found when it speaks."""
+    texts = [word.text if isinstance(word, Name) else word.value if isinstance(word, String) else "" for word in words]
+    if not texts or not _LANGUAGE.fullmatch(texts[0]):
+        where = words[0].span if words else span
+        raise project.refuse("FS326", where, text=where.text)
+    if len(texts) > 2 or (len(texts) == 2 and not _VARIANT.fullmatch(texts[1])):
+        where = words[1].span.to(words[-1].span)
+        advice = "behind the language stands `female`, `male` or one variant's name"
+        raise project.refuse("FS312", where, text=where.text, advice=advice)
+    return Voice(texts[0], texts[1] if len(texts) == 2 else "")

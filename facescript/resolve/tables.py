@@ -1,0 +1,70 @@
+"""Tables that a script repeats over: CSV files of the project to rows of words."""
+
+from __future__ import annotations
+
+import csv
+import io
+
+from facescript.resolve.lexer import Unreadable, phrases_of
+from facescript.resolve.project import Project
+from facescript.resolve.scope import Row
+from facescript.syntax.tree import String, Word
+from facescript.text import Source, Span
+from facescript.world import WorldFailure
+
+MOST_ROWS = 50_000
+LARGEST = 16 * 1024 * 1024
+"""Bytes of a table."""
+
+
+def rows(project: Project, path: String) -> tuple[Row, ...]:
+    """The rows of a table under its header line, empty lines left out. Raises `Refused`."""
+    name = path.value
+    lines = _lines(project, path)
+    if not lines:
+        raise project.refuse("FS703", path.span, path=name, reason="it is empty")
+    header = [column.strip() for column in lines[0]]
+    if len(set(header)) < len(header) or not all(header):
+        raise project.refuse("FS703", path.span, path=name, reason="its first line does not name each column once")
+    if len(lines) == 1:
+        project.report("FS705", path.span, path=name)
+    return tuple(_row(project, path, number, header, cells) for number, cells in enumerate(lines[1:], 1))
+
+
+def _lines(project: Project, path: String) -> list[list[str]]:
+    try:
+        text = project.world.read(path.value, LARGEST).decode("utf-8-sig")
+        lines = [cells for cells in csv.reader(io.StringIO(text, newline=""), strict=True) if any(cells)]
+    except WorldFailure as failure:
+        raise project.refuse("FS701", path.span, path=path.value, reason=failure.args[0]) from None
+    except UnicodeDecodeError:
+        raise project.refuse("FS701", path.span, path=path.value, reason="it is not UTF-8") from None
+    except csv.Error as fault:
+        raise project.refuse("FS703", path.span, path=path.value, reason=str(fault)) from None
+    if len(lines) > MOST_ROWS + 1:
+        reason = f"it has more than {MOST_ROWS} rows"
+        raise project.refuse("FS703", path.span, path=path.value, reason=reason)
+    return lines
+
+
+def _row(project: Project, path: String, number: int, header: list[str], cells: list[str]) -> Row:
+    if len(cells) != len(header):
+        reason = f"row {number} has {len(cells)} cells under {len(header)} columns"
+        raise project.refuse("FS703", path.span, path=path.value, reason=reason)
+    found = {
+        column: (cell.strip(), _words(path.value, cell.strip())) for column, cell in zip(header, cells, strict=True)
+    }
+    return Row(path.value, number, found)
+
+
+def _words(name: str, cell: str) -> tuple[Word, ...]:
+    """A cell as words of the language; what cannot be one is a text."""
+    source = Source(name, cell)
+    whole = Span(source, 0, len(cell))
+    try:
+        phrases = phrases_of(source, 0, len(cell))
+    except Unreadable:
+        return (String(cell, whole),)
+    if len(phrases) != 1 or not phrases[0].words:
+        return (String(cell, whole),)
+    return phrases[0].words

@@ -1,0 +1,230 @@
+"""A line's text to plain text and its marks: stress, breaths, pauses, readings, and statements between brackets."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from facescript.ir.acts import Stretch
+from facescript.ir.wording import unspaced
+from facescript.resolve.lexer import Unreadable, phrases_of
+from facescript.resolve.project import Project, Refused
+from facescript.resolve.scope import Scope
+from facescript.resolve.sums import number
+from facescript.resolve.units import TIME
+from facescript.syntax.tree import Phrase, String
+from facescript.text import Source, Span
+
+LONGEST = 20_000
+"""Characters of one line's text."""
+
+ESCAPES = '[]*|"\\'
+_SPECIAL = re.compile(r"[\\\[*|]|\s+")
+
+
+@dataclass(slots=True)
+class Inline:
+    """A statement inside a text: its phrases; it starts before the character `at` of the plain text and is ended by
+    `[/]` at `until`, None where there is none."""
+
+    phrases: tuple[Phrase, ...]
+    span: Span
+    at: int
+    until: int | None = None
+
+
+@dataclass(slots=True)
+class _Reading:
+    """`[read zhang3]` that waits for its `[/]`."""
+
+    value: str
+    span: Span
+    at: int
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    plain: str
+    stretches: tuple[Stretch, ...]
+    inlines: tuple[Inline, ...]
+
+
+Piece = tuple[Source, int, int]
+"""A stretch of a source that is text: between the quotes of a string, or a whole file."""
+
+
+def pieces_of(strings: tuple[String, ...]) -> tuple[Piece, ...]:
+    return tuple((string.span.source, string.span.start + 1, string.span.end - 1) for string in strings)
+
+
+def read_text(project: Project, pieces: tuple[Piece, ...], scope: Scope, span: Span) -> Text:
+    """The text of a line. All its faults are reported, each at its place; then raises `Refused`."""
+    size = sum(end - start for _, start, end in pieces)
+    if size > LONGEST:
+        raise project.refuse("FS319", span, count=size, most=LONGEST)
+    reader = _TextReader(project, scope)
+    for piece in pieces:
+        reader.read(piece)
+    return reader.finished(span)
+
+
+class _TextReader:
+    """Gathers plain text and marks; white space is one space, and none between characters that are written without."""
+
+    def __init__(self, project: Project, scope: Scope) -> None:
+        self.project = project
+        self.scope = scope
+        self.out: list[str] = []
+        self.length = 0
+        self.gap = False
+        self.stretches: list[Stretch] = []
+        self.inlines: list[Inline] = []
+        self.opened: list[Inline | _Reading] = []
+        self.stress: tuple[int, Span] | None = None
+        self.failed = False
+
+    def read(self, piece: Piece) -> None:
+        source, at, end = piece
+        text = source.text
+        self.gap = True
+        while at < end:
+            special = _SPECIAL.search(text, at, end)
+            stop = special.start() if special else end
+            if stop > at:
+                self.put(text[at:stop])
+            if special is None:
+                return
+            try:
+                at = self.special(source, special, end)
+            except Refused:
+                self.failed = True
+                at = special.end()
+                if special[0] == "[":
+                    at = max(at, _closing(text, at, end) + 1)
+
+    def put(self, text: str) -> None:
+        if self.gap and self.out and not (unspaced(self.out[-1][-1]) and unspaced(text[0])):
+            self.out.append(" ")
+            self.length += 1
+        self.gap = False
+        self.out.append(text)
+        self.length += len(text)
+
+    def special(self, source: Source, found: re.Match[str], end: int) -> int:
+        """Reads one mark; the offset behind it."""
+        sign, at = found[0], found.start()
+        if sign[0].isspace():
+            self.gap = True
+        elif sign == "|":
+            self.stretches.append(Stretch("breath", self.length, self.length))
+        elif sign == "*":
+            self.star(Span(source, at, at + 1))
+        elif sign == "\\":
+            return self.escape(source, at, end)
+        else:
+            return self.bracket(source, at, end)
+        return found.end()
+
+    def star(self, span: Span) -> None:
+        if self.stress is None:
+            self.stress = (self.length, span)
+        else:
+            self.stretches.append(Stretch("stress", self.stress[0], self.length))
+            self.stress = None
+
+    def escape(self, source: Source, at: int, end: int) -> int:
+        sign = source.text[at + 1 : at + 2] if at + 1 < end else ""
+        if not sign or sign not in ESCAPES:
+            span = Span(source, at, min(at + 2, end))
+            raise self.project.refuse("FS318", span, text=span.text)
+        self.put(sign)
+        return at + 2
+
+    def bracket(self, source: Source, at: int, end: int) -> int:
+        close = _closing(source.text, at + 1, end)
+        if close < 0:
+            raise self.project.refuse("FS315", Span(source, at, at + 1), what="`[` has no `]`")
+        span = Span(source, at, close + 1)
+        content = source.text[at + 1 : close].strip()
+        if content == "/":
+            self.close(span)
+        elif content.startswith("read ") or content == "read":
+            self.reading(content[5:].strip(), span)
+        elif content.startswith("wait ") and not content.startswith("wait until "):
+            self.pause(source, at, close, span)
+        else:
+            inline = Inline(self.words(source, at + 1, close, span), span, self.length)
+            self.inlines.append(inline)
+            self.opened.append(inline)
+        return close + 1
+
+    def close(self, span: Span) -> None:
+        if not self.opened:
+            raise self.project.refuse("FS316", span)
+        opened = self.opened.pop()
+        if isinstance(opened, Inline):
+            opened.until = self.length
+        else:
+            self.stretches.append(Stretch("reading", opened.at, self.length, opened.value))
+
+    def reading(self, value: str, span: Span) -> None:
+        if not value:
+            raise self.project.refuse("FS312", span, text=span.text, advice="it is written `[read zhang3]长[/]`")
+        self.opened.append(_Reading(value, span, self.length))
+
+    def pause(self, source: Source, at: int, close: int, span: Span) -> None:
+        phrases = self.words(source, at + 1, close, span)
+        if len(phrases) > 1:
+            raise self.project.refuse("FS312", phrases[1].span, text=phrases[1].span.text, advice="a pause is its time")
+        seconds = number(self.project, phrases[0].words[1:], self.scope, TIME, span)
+        self.stretches.append(Stretch("pause", self.length, self.length, f"{seconds:.10g}"))
+
+    def words(self, source: Source, start: int, end: int, span: Span) -> tuple[Phrase, ...]:
+        try:
+            phrases = phrases_of(source, start, end)
+        except Unreadable as fault:
+            where = fault.args[0]
+            advice = "between brackets stands a sum or a statement"
+            raise self.project.refuse("FS312", where, text=where.text or span.text, advice=advice) from None
+        if not all(phrase.words for phrase in phrases):
+            advice = "between brackets stands a sum or a statement"
+            raise self.project.refuse("FS312", span, text=span.text, advice=advice)
+        return phrases
+
+    def finished(self, span: Span) -> Text:
+        for opened in self.opened:
+            if isinstance(opened, _Reading):
+                self.project.report("FS315", opened.span, what="a reading has no `[/]`")
+                self.failed = True
+        if self.stress is not None:
+            self.project.report("FS317", self.stress[1])
+            self.failed = True
+        if self.failed:
+            raise Refused
+        plain = "".join(self.out)
+        if not plain:
+            raise self.project.refuse("FS320", span)
+        for inline in self.inlines:
+            inline.at = _next_word(plain, inline.at)
+        stretches = tuple(_tight(plain, stretch) for stretch in self.stretches)
+        return Text(plain, tuple(sorted(stretches, key=lambda stretch: stretch.start)), tuple(self.inlines))
+
+
+def _closing(text: str, at: int, end: int) -> int:
+    """The offset of the `]` that closes a bracket, -1 where another `[` or the end comes first."""
+    close = text.find("]", at, end)
+    other = text.find("[", at, close if close >= 0 else end)
+    return -1 if other >= 0 else close
+
+
+def _next_word(plain: str, at: int) -> int:
+    while at < len(plain) and plain[at].isspace():
+        at += 1
+    return at
+
+
+def _tight(plain: str, stretch: Stretch) -> Stretch:
+    """A stretch that begins at a character, not at the space before it."""
+    if stretch.start == stretch.end:
+        return stretch
+    return Stretch(stretch.kind, _next_word(plain, stretch.start), stretch.end, stretch.value)

@@ -1,0 +1,204 @@
+"""The language's words: a row for each verb and each modifier, which drive reading, messages and completion."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+VALUE = "_"
+"""Stands in a pattern for the words of a value."""
+
+
+@dataclass(frozen=True, slots=True)
+class Modifier:
+    """How something is said more closely.
+
+    `pattern` are its words, `VALUE` where its value stands; `takes` is the value's kind ("" for none); modifiers of
+    one `group` exclude each other; `direct` ones follow without a comma.
+    """
+
+    name: str
+    pattern: tuple[str, ...]
+    takes: str
+    help: str
+    group: str = ""
+    direct: bool = False
+
+    @property
+    def form(self) -> str:
+        """As an author writes it: `over TIME`."""
+        return " ".join(self.takes.upper().replace(" ", "-") if word == VALUE else word for word in self.pattern)
+
+
+@dataclass(frozen=True, slots=True)
+class Verb:
+    """What a face does: how it is written, which modifiers it takes, what holds when they are not written."""
+
+    name: str
+    form: str
+    modifiers: tuple[str, ...]
+    default: str
+    help: str
+
+
+def _rows(*rows: Modifier) -> dict[str, Modifier]:
+    return {row.name: row for row in rows}
+
+
+def _valued(name: str, takes: str, help: str) -> Modifier:
+    return Modifier(name, (name, VALUE), takes, help)
+
+
+def _fixed(words: str, group: str, help: str) -> Modifier:
+    return Modifier(words, tuple(words.split()), "", help, group)
+
+
+MODIFIERS: dict[str, Modifier] = _rows(
+    Modifier("over", ("over", VALUE), "time", "how long the change takes", direct=True),
+    Modifier("for", ("for", VALUE), "time", "how long it lasts from its start; then it lets go", direct=True),
+    Modifier("back", ("back", "in", VALUE), "time", "how long letting go takes", direct=True),
+    Modifier("ease", ("ease", VALUE), "ease", "the curve: linear, smooth, in, out, in-out", direct=True),
+    Modifier("from", ("from", VALUE), "file", "a recording to speak with", direct=True),
+    Modifier("timed", ("timed", VALUE), "file", "the times of the words, as a file gives them", direct=True),
+    Modifier("as", ("as", VALUE), "name", "names the statement; the name is a marker in the outputs", direct=True),
+    _fixed("eyes then head", "parts", "the head follows the eyes"),
+    _fixed("head then eyes", "parts", "the eyes follow the head"),
+    _fixed("eyes only", "parts", "the head stays"),
+    _fixed("head only", "parts", "the eyes stay straight in the head"),
+    Modifier("head", ("head", VALUE), "percentage", "how much of the way the head goes"),
+    _valued("speed", "percentage", "how fast eyes and head move"),
+    _valued("latency", "time", "how long after its time the look begins"),
+    Modifier("each", (VALUE, "each"), "time", "how long each of the crowd is looked at"),
+    _fixed("in order", "order", "the crowd as it is written"),
+    _fixed("nearest first", "order", "each time the nearest of those left"),
+    _fixed("at random", "order", "in an order the seed decides"),
+    _valued("rate", "percentage", "how fast the voice speaks"),
+    _valued("pitch", "percentage", "how high the voice speaks"),
+    _valued("volume", "percentage", "how loud the voice speaks"),
+    _valued("blink", "rate", "blinks a minute"),
+    _valued("brows", "rate", "brow raises a minute"),
+    _valued("sway", "percentage", "how much the head moves by itself"),
+    _valued("nods", "percentage", "how often the head nods at pauses"),
+    _valued("saccades", "rate", "idle saccades a minute"),
+    _valued("avert", "percentage", "how much of the time the eyes turn away"),
+)
+
+GAZE = ("eyes then head", "head then eyes", "eyes only", "head only", "head", "speed", "latency")
+KNOBS = ("blink", "brows", "sway", "nods", "saccades", "avert")
+CHANGE = ("over", "for", "back", "ease", "as")
+VOICE = ("rate", "pitch", "volume")
+
+
+def _verbs(*rows: Verb) -> dict[str, Verb]:
+    return {row.name: row for row in rows}
+
+
+VERBS: dict[str, Verb] = _verbs(
+    Verb("look", "look at TARGET", (*GAZE, *CHANGE), "eyes then head", "turns the gaze to a target and stays on it"),
+    Verb("glance", "glance TARGET", (*GAZE, *CHANGE), "for 500ms", "looks there and back"),
+    Verb(
+        "scan",
+        "scan CROWD, TIME each",
+        ("each", "in order", "nearest first", "at random", *GAZE, "as"),
+        "600ms each, in order",
+        "fixates each of a crowd",
+    ),
+    Verb("show", "show SUM", CHANGE, "until the next `show`", "makes a sum the face's base expression"),
+    Verb("add", "add SUM", CHANGE, "until `drop`", "lays a sum on top of what is shown"),
+    Verb("drop", "drop NAME", ("over", "ease", "as"), "", "lets go of an expression or of a named statement"),
+    Verb("nod", "nod PERCENTAGE", ("for", "ease", "as"), "100%", "nods the head"),
+    Verb("shake", "shake PERCENTAGE", ("for", "ease", "as"), "100%", "shakes the head"),
+    Verb(
+        "tilt", "tilt left|right PERCENTAGE", ("for", "ease", "as"), "100%", "tilts the head to its own left or right"
+    ),
+    Verb("blink", "blink PERCENTAGE", ("for", "ease", "as"), "100%", "blinks once"),
+    Verb("wink", "wink left|right PERCENTAGE", ("for", "ease", "as"), "100%", "winks with its own left or right eye"),
+    Verb("say", 'say "TEXT"', (*VOICE, "from", "timed", "as"), "the face's voice", "speaks a text"),
+    Verb("play", 'play "FILE"', ("as",), "", "performs recorded channels"),
+    Verb("wait", "wait TIME", ("as",), "", "lets time pass; `wait until TIME` waits for a moment"),
+    Verb("background", 'background COLOUR|"PICTURE"', ("over", "as"), "over 0ms", "sets what is behind the faces"),
+    Verb("view", "view FACE PERCENTAGE|all", ("over", "as"), "all, over 0ms", "moves the camera to a face, or to all"),
+    Verb("life", "life PRESET", (*KNOBS, "over", "as"), "over 0ms", "sets what the face does unasked"),
+)
+
+VOICED = _rows(
+    Modifier("voice", ("voice", VALUE), "voice", "the language, and `female`, `male` or a variant's name"),
+    *(MODIFIERS[name] for name in VOICE),
+)
+
+FACE: dict[str, Modifier] = {
+    **VOICED,
+    **_rows(
+        _valued("life", "life", "what it does unasked; knobs follow after commas"),
+        *(MODIFIERS[name] for name in KNOBS),
+        _valued("size", "percentage", "how large it is drawn"),
+        _valued("at", "place", "where its middle is, in percent of the picture from the picture's centre"),
+        _valued("gaze", "gaze", "`eye-mover` or `head-mover`"),
+        *(_valued(look, "colour", f"the colour of its {look}") for look in ("hair", "skin", "eyes", "lips", "clothes")),
+    ),
+}
+"""What a face's definition may say after its kind, on its line or below."""
+
+LOOKS = ("hair", "skin", "eyes", "lips", "clothes")
+
+FILM: dict[str, Modifier] = _rows(
+    Modifier("size", (VALUE,), "size", "width x height in pixels: `1280x720`"),
+    Modifier("rate", (VALUE,), "frame rate", "pictures a second: `30fps`"),
+    _valued("seed", "count", "decides every draw"),
+    Modifier("long", (VALUE, "long"), "time", "a build ends there"),
+    _valued("screen", "screen", "`patent`, `measured`, `none` or a percentage: how far gaze at near targets turns"),
+    Modifier("wide", (VALUE, "wide"), "length", "the picture's physical width"),
+)
+
+EASES = ("linear", "smooth", "in", "out", "in-out")
+KINDS = ("woman", "man", "unseen")
+LATER_KINDS = ("dog", "rodent", "gorilla")
+PARTS = ("eyes", "mouth")
+DIRECTIONS = ("left", "right", "up", "down")
+
+DIRECT = frozenset(row.pattern[0] for row in MODIFIERS.values() if row.direct)
+
+SYNONYMS = {
+    "follow": "look at",
+    "track": "look at",
+    "watch": "look at",
+    "gaze": "look at",
+    "face": "look at",
+    "turn": "look at",
+    "peek": "glance",
+    "speak": "say",
+    "talk": "say",
+    "tell": "say",
+    "pause": "wait",
+    "sleep": "wait",
+    "express": "show",
+    "set": "show",
+    "remove": "drop",
+    "clear": "drop",
+    "stop": "drop",
+    "loop": "repeat",
+    "camera": "view",
+    "zoom": "view",
+    "keep": "show",
+}
+"""Words of other languages, and what this one says instead."""
+
+_BLOCKS = (
+    "at choose event film forever in on people person repeat resume restart stop times to together until use when with"
+)
+_DEFINERS = "action expression face film let life scene target use"
+_GIVEN = "all away camera down left neutral right up"
+_CHANNELS = "brow cheek chin eye forehead gaze head lid lip mouth nose pupil"
+
+WORDS: frozenset[str] = frozenset(
+    {*VERBS, *DIRECT, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}
+)
+"""The language's own words: no definition, parameter or label may bear them."""
+
+UNIT_NAME = re.compile(r"AU\d+")
+UNDRAWABLE = frozenset({8, 19, 21, *range(29, 41), *range(47, 51), 59, 60})
+
+
+def undrawable(name: str) -> bool:
+    """Whether a name is a FACS unit that no muscle or channel of the model can draw."""
+    return bool(UNIT_NAME.fullmatch(name)) and (int(name[2:]) in UNDRAWABLE or int(name[2:]) >= 65)
