@@ -11,8 +11,9 @@ from facescript.backends.job import Job, JobFailure
 from facescript.backends.numbered import is_numbered
 from facescript.backends.output import Outputs, outputs
 from facescript.backends.registry import LATER, Backend, backends
-from facescript.cli.project import STANDARD
+from facescript.backends.stills import write_pngs
 from facescript.cli.progress import Progress
+from facescript.cli.project import STANDARD
 from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.script import compile_named
 from facescript.cli.settings import count, seconds
@@ -54,9 +55,11 @@ def _backend(target: str, kind: str | None) -> Backend:
 
 def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None:
     """Options that some output cannot take are an error before any work is done."""
-    for _, backend in wanted:
+    for target, backend in wanted:
         if options.at is not None and not backend.still:
             raise OptionFault("FS905", option="--at", fitting=".png and .svg", suffix=backend.suffix)
+        if is_numbered(target) and backend.suffix != ".png":
+            raise OptionFault("FS905", option="%d", fitting=".png", suffix=backend.suffix)
 
 
 def _job(options: argparse.Namespace, compiled: Compiled, world: World) -> Job:
@@ -98,8 +101,6 @@ def _write(job: Job, target: str, backend: Backend, batch: Outputs) -> None:
             sys.stdout.buffer.write(path.read_bytes())
             sys.stdout.buffer.flush()
     elif is_numbered(target):
-        for number, time in enumerate(job.times().tolist(), start=1):
-            write(job.moment(time), batch.place(Path(target % number)))
-            job.progress(number, len(job.times()))
+        write_pngs(job, [batch.place(Path(target % (number + 1))) for number in range(len(job.times()))])
     else:
         write(job, batch.place(Path(target)))
