@@ -1,0 +1,113 @@
+"""A verb as an author wrote it to the verb that is played: draws drawn by the seed, lengths filled in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from dataclasses import fields, is_dataclass, replace
+from functools import cache
+from typing import TypeVar, cast
+
+from facescript.ir.acts import Add, Drop, Gesture, Glance, Say, Show, Timing, Verb
+from facescript.ir.random import between
+from facescript.ir.values import Amount, Draw
+from facescript.text import Span
+
+OVER = {"Show": 0.5, "Add": 0.4, "Drop": 0.5}
+"""Seconds of a change. A spontaneous smile's onset takes 0.40 to 0.75 s (motion.md 6.1); a drop is as slow."""
+
+BACK = 0.4
+"""Seconds a show or an add takes to let go: offsets are a little faster than slow onsets."""
+
+LASTING = {"nod": 0.7, "shake": 0.9, "tilt": 0.9, "blink": 0.3, "wink": 0.4}
+"""Lengths of gestures, s. A blink takes 0.2 to 0.4 s in all (motion.md 5); a nod of an announcer 0.34 to 0.94 s."""
+
+GLANCE = 0.5
+"""A glance is "half a second" (language.md, the table of what settles when)."""
+
+Place = Callable[[], tuple[Hashable, ...]]
+"""Where a draw stands in the script; asked only where there is something to draw."""
+
+Whole = TypeVar("Whole")
+
+
+class Concrete:
+    """Makes verbs concrete for one seed. A verb without draws is made once, however often it is played."""
+
+    def __init__(self, seed: int) -> None:
+        self.seed = seed
+        self._same: dict[int, Verb] = {}
+
+    def verb(self, verb: Verb, place: Place) -> Verb:
+        """The verb with plain numbers and the lengths that the table of verbs gives it."""
+        known = self._same.get(id(verb))
+        if known is not None:
+            return known
+        if isinstance(verb, Say) or not has_draw(verb):
+            made = self._same[id(verb)] = filled(verb)
+            return made
+        return filled(self.drawn(verb, place))
+
+    def amount(self, amount: Amount, place: Place, what: str) -> float:
+        """A number, drawn by the seed where it is a draw; `what` tells the draws of one statement apart."""
+        if isinstance(amount, Draw):
+            return between(amount.low, amount.high, self.seed, *place(), what)
+        return amount
+
+    def drawn(self, whole: Whole, place: Place, what: str = "") -> Whole:
+        """A value of the play with every draw in it drawn."""
+        if isinstance(whole, Draw):
+            return cast(Whole, self.amount(whole, place, what))
+        if isinstance(whole, tuple):
+            parts = (self.drawn(part, place, f"{what}.{index}") for index, part in enumerate(whole))
+            return cast(Whole, tuple(parts))
+        if not is_dataclass(whole) or isinstance(whole, (type, Span)):
+            return whole
+        names = _fields(type(whole))
+        changed = {name: self.drawn(getattr(whole, name), place, f"{what}.{name}") for name in names}
+        return cast(Whole, replace(whole, **changed))
+
+
+def has_draw(value: object) -> bool:
+    """Whether a value of the play holds a draw."""
+    if isinstance(value, Draw):
+        return True
+    if isinstance(value, tuple):
+        return any(has_draw(part) for part in value)
+    if not is_dataclass(value) or isinstance(value, (type, Span)):
+        return False
+    return any(has_draw(getattr(value, name)) for name in _fields(type(value)))
+
+
+def filled(verb: Verb) -> Verb:
+    """The verb with the lengths that an author left to the table."""
+    if isinstance(verb, (Show, Add)):
+        return replace(verb, timing=_timing(verb.timing, over=OVER[type(verb).__name__], back=BACK))
+    if isinstance(verb, Drop):
+        return replace(verb, timing=_timing(verb.timing, over=OVER["Drop"]))
+    if isinstance(verb, Gesture):
+        return replace(verb, timing=_timing(verb.timing, lasting=LASTING[verb.kind]))
+    if isinstance(verb, Glance):
+        return replace(verb, timing=_timing(verb.timing, lasting=GLANCE))
+    return verb
+
+
+def _timing(
+    timing: Timing, over: float | None = None, lasting: float | None = None, back: float | None = None
+) -> Timing:
+    return Timing(
+        over if timing.over is None else timing.over,
+        lasting if timing.lasting is None else timing.lasting,
+        back if timing.back is None else timing.back,
+        timing.ease,
+    )
+
+
+def seconds(amount: Amount | None) -> float:
+    """The seconds of a length that is drawn and filled in."""
+    assert isinstance(amount, (int, float))
+    return float(amount)
+
+
+@cache
+def _fields(kind: type) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind))

@@ -1,0 +1,87 @@
+"""How long each verb takes until the next statement may start (the table of what settles when)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from facescript.ir.acts import (
+    Add,
+    Drop,
+    Gesture,
+    Glance,
+    Look,
+    Scan,
+    SetBackground,
+    SetLife,
+    Show,
+    Verb,
+    View,
+    Wait,
+)
+from facescript.schedule.defaults import Concrete, seconds
+from facescript.schedule.facts import Facts, Hold
+from facescript.schedule.presence import Presence
+from facescript.schedule.steps import NEVER, START, Step
+from facescript.schedule.voices import word_end
+from facescript.speech.model import Spoken
+
+LANDING = 0.1
+"""Seconds until the eyes are there, before the first plan of a look is made."""
+
+PAUSE = 0.25
+"""Seconds between a line and a line that directly follows it."""
+
+
+@dataclass(slots=True)
+class Lengths:
+    """Lengths of verbs at the times they start."""
+
+    concrete: Concrete
+    presence: Presence
+    facts: Facts
+
+    def settle(self, step: Step, verb: Verb) -> float:
+        """Seconds from a step's start until it has settled; its verb is made concrete on the way. Not for lines."""
+        start = step.time(START)
+        made = self.concrete.verb(verb, step.place)
+        step.verb = verb = ended(verb, made, start, step.until)
+        if isinstance(verb, (Look, Glance, Show, Add, Gesture)) and verb.timing.lasting is not None:
+            return seconds(verb.timing.lasting)
+        if isinstance(verb, Look):
+            return self.facts.looks.get(step.key(), LANDING)
+        if isinstance(verb, (Show, Add, Drop)):
+            return seconds(verb.timing.over)
+        if isinstance(verb, Scan):
+            return seconds(verb.dwell) * self.presence.size(verb.crowd, start)
+        if isinstance(verb, (SetBackground, View, SetLife)):
+            return seconds(verb.over)
+        assert isinstance(verb, Wait)
+        return seconds(verb.duration)
+
+
+def ended(verb: Verb, made: Verb, start: float, until: float) -> Verb:
+    """A concrete verb in an inline cue that ends at `until`: so does a glance or a gesture. `verb` is as written."""
+    if until == NEVER or not isinstance(verb, (Glance, Gesture)) or not isinstance(made, (Glance, Gesture)):
+        return made
+    length = max(0.0, until - start)
+    if verb.timing.lasting is not None:
+        length = min(length, seconds(made.timing.lasting))
+    return replace(made, timing=replace(made.timing, lasting=length))
+
+
+def sayings(start: float, spoken: Spoken, rank: int, holds: tuple[Hold, ...]) -> tuple[tuple[float, float | None], ...]:
+    """The starts and cuts of a line that is due at `start`, while later reactions take its face's voice.
+
+    A line that sounds when a reaction begins to speak breaks off at the end of its word; it is begun again when that
+    reaction has settled, and so is a line that is due in between. `holds` are of the face, in the order they start.
+    """
+    broken = []
+    for hold in holds:
+        if hold.rank <= rank or hold.end <= start:
+            continue
+        if start + spoken.duration <= hold.start:
+            break
+        if start < hold.start:
+            broken.append((start, start + word_end(spoken, hold.start - start)))
+        start = hold.end + hold.gap
+    return (*broken, (start, None))

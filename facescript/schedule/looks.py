@@ -1,0 +1,91 @@
+"""Looks, glances and scans to their planned gaze shifts, and to how long each takes to land."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from facescript.ir.acts import Glance, Look, Scan
+from facescript.ir.play import Face
+from facescript.ir.values import Away
+from facescript.schedule.deeds import Deed
+from facescript.schedule.defaults import seconds
+from facescript.schedule.presence import Presence
+from facescript.schedule.steps import NEVER, Key
+from facescript.space.plan import GazePlan
+from facescript.space.planner import GazeRequest, plan_gaze, scan_stops
+
+GRAIN = 6
+"""Decimals of a look's length: times that differ by less are the same, so that rounds come to rest."""
+
+
+@dataclass(slots=True)
+class Gaze:
+    """Plans the gaze of a film's faces."""
+
+    faces: Mapping[str, Face]
+    presence: Presence
+    seed: int
+
+    def plan(self, deeds: Iterable[Deed], scenes: Sequence[float]) -> dict[int, tuple[GazePlan, ...]]:
+        """The shifts of each deed by its order; a scan's stops one after another. `scenes` are the scenes' starts."""
+        requests: dict[str, list[GazeRequest]] = {}
+        for deed in deeds:
+            if isinstance(deed.verb, (Look, Glance, Scan)) and deed.face is not None:
+                scene = scene_at(scenes, deed)
+                requests.setdefault(deed.face, []).extend(self._requests(deed, scene, scenes[scene]))
+        plans: dict[int, tuple[GazePlan, ...]] = {}
+        for name, asked in requests.items():
+            planned = plan_gaze(self.presence.room, self.faces[name], asked, scenes)
+            for order, stop in sorted(planned):
+                plans[order] = (*plans.get(order, ()), *planned[order, stop])
+        return plans
+
+    def _requests(self, deed: Deed, scene: int, start: float) -> list[GazeRequest]:
+        verb, people, persons = deed.verb, self.presence.people(deed.start), deed.root.persons
+        if isinstance(verb, Scan):
+            return self._stops(deed, verb, scene, deed.start - start)
+        assert isinstance(verb, (Look, Glance))
+        over = None if verb.timing.over is None else seconds(verb.timing.over)
+        glance = isinstance(verb, Glance)
+        place = deed.step.place() if isinstance(verb.aim, Away) else ()
+        whole = (deed.start, deed.release, over, scene, glance, persons, people, place)
+        return [GazeRequest((deed.order, 0), verb.aim, verb.manner, *whole)]
+
+    def _stops(self, deed: Deed, scan: Scan, scene: int, clock: float) -> list[GazeRequest]:
+        """A request for each stop that begins before the scan lets go; they let go together, at its end."""
+        assert deed.face is not None
+        people, dwell = self.presence.people(deed.start), seconds(scan.dwell)
+        face = self.faces[deed.face]
+        aims = scan_stops(self.presence.room, face, scan, clock, self.seed, people, deed.step.place())
+        starts = [deed.start + number * dwell for number in range(len(aims))]
+        return [
+            GazeRequest((deed.order, number), aim, scan.manner, start, deed.release, None, scene, False)
+            for number, (aim, start) in enumerate(zip(aims, starts, strict=True))
+            if start < deed.release
+        ]
+
+
+def scene_at(scenes: Sequence[float], deed: Deed) -> int:
+    """The number of the scene that a deed belongs to: its own, or for a reaction the one that plays."""
+    if not deed.root.reaction:
+        return deed.root.scene
+    return max(0, bisect_right(scenes, deed.start) - 1)
+
+
+def landings(deeds: Iterable[Deed], plans: Mapping[int, tuple[GazePlan, ...]]) -> dict[Key, float]:
+    """Seconds from the start of each look until the eyes are there, by its step."""
+    return {
+        deed.step.key(): round(max(0.0, plans[deed.order][0].landed - deed.start), GRAIN)
+        for deed in deeds
+        if isinstance(deed.verb, Look) and deed.order in plans
+    }
+
+
+def gone(plans: tuple[GazePlan, ...], release: float) -> float:
+    """When nothing is left of a shift that lets go: eyes and head are back."""
+    if release == NEVER:
+        return NEVER
+    back = [max(plan.landed, plan.head_done if plan.uses_head else 0.0) for plan in plans]
+    return max([release, *back])

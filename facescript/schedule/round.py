@@ -1,0 +1,159 @@
+"""One round of the solution: with what the round before has learned, every step gets its times."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from facescript.ir.acts import Do, Say
+from facescript.ir.play import Play
+from facescript.schedule.deeds import Deed, Sounding, deeds, soundings
+from facescript.schedule.events import Trigger, roots
+from facescript.schedule.facts import Control, Hold
+from facescript.schedule.lengths import PAUSE
+from facescript.schedule.rules import Times
+from facescript.schedule.solver import Solver
+from facescript.schedule.steps import DONE, NEVER, Key, Maker, Root, Step, ends_in_line
+from facescript.schedule.voices import word_end
+
+
+@dataclass(slots=True)
+class Played:
+    """A scene as it was played: of which of the play's scenes, and when its time was up."""
+
+    scene: int
+    root: Root
+    end: float
+
+
+@dataclass(slots=True)
+class Round:
+    """All the trees of a play, solved. `stopped` films live on after their last scene."""
+
+    play: Play
+    times: Times
+    maker: Maker
+    long: float
+    scenes: list[Played] = field(default_factory=list)
+    reactions: list[Root] = field(default_factory=list)
+    unplayed: list[tuple[int, float]] = field(default_factory=list)
+    stopped: bool = False
+    done: list[Deed] = field(default_factory=list)
+    late: list[Step] = field(default_factory=list)
+
+    def run(self, triggers: list[Trigger]) -> None:
+        """Solve the reactions, then the scenes that they stop and restart, and gather what is done."""
+        solver = Solver(self.times)
+        for root in roots(triggers, self.maker, self.long):
+            solver.solve(root.top, DONE)
+            self.reactions.append(root)
+        self._play(solver, self._controls(triggers))
+        self.done, self.late = deeds([*(played.root for played in self.scenes), *self.reactions])
+
+    # -------------------------------------------------------------------------------------------- scenes
+
+    def _play(self, solver: Solver, controls: list[Control]) -> None:
+        """Play scene after scene. A `stop` ends the scene, a `restart` plays it again; the last scene, once it has
+        ended, can still be played again."""
+        number, start, rough, coming = 0, 0.0, False, 0
+        while number < len(self.play.scenes):
+            if start >= self.long:
+                self.unplayed += [(later, start) for later in range(number, len(self.play.scenes))]
+                return
+            while coming < len(controls) and controls[coming].time <= start:
+                coming += 1
+            limit = controls[coming].time if coming < len(controls) else NEVER
+            root = self._scene(number, start, min(limit, self.long), rough)
+            end, rough = solver.solve(root.top, DONE)
+            last = number == len(self.play.scenes) - 1
+            control = controls[coming] if limit < end else None
+            self.stopped = control is not None and control.kind == "stop"
+            if control is not None:
+                end = control.time
+            if last and (control is None or control.kind == "stop"):
+                control = next((one for one in controls[coming:] if one.kind == "restart"), None)
+                end = control.time if control else end
+            self.scenes.append(Played(number, root, end))
+            number += control is None or control.kind == "stop"
+            start = end
+
+    def _controls(self, triggers: Sequence[Trigger]) -> list[Control]:
+        """The stops and restarts of the reactions that come to their end, in time."""
+        controls = []
+        for root, trigger in zip(self.reactions, triggers, strict=True):
+            ending, time = trigger.reaction.ending, root.top.time(DONE)
+            if ending != "resume" and time <= root.top.limit and time < self.long:
+                controls.append(Control(time, ending))
+        return sorted(controls, key=lambda control: control.time)
+
+    def _scene(self, number: int, start: float, limit: float, rough: bool) -> Root:
+        scene = self.play.scenes[number]
+        runs = sum(1 for played in self.scenes if played.scene == number)
+        root = Root(0, ("scene", scene.name, *([runs] if runs else [])), start, self.maker, scene=len(self.scenes))
+        root.plant(scene.body, limit, rough)
+        root.top.index = len(self.scenes)
+        return root
+
+    # -------------------------------------------------------------------------------------------- what it learns
+
+    def sounds(self) -> Iterator[Sounding]:
+        """Every line as far as it sounds, in the order written."""
+        for deed in self.done:
+            if isinstance(deed.verb, Say):
+                yield from soundings(deed.step, self.times.voices)
+
+    def holds(self) -> tuple[Hold, ...]:
+        """Which voices the reactions have, when."""
+        ends = _ends(self.reactions)
+        first: dict[tuple[int, str], float] = {}
+        for step, time in self.times.requests:
+            assert isinstance(step.node, Do) and step.node.face is not None
+            if time < step.limit:
+                key = (step.root.rank, step.node.face)
+                first[key] = min(time, first.get(key, time))
+        return tuple(sorted((Hold(face, rank, time, *ends[rank]) for (rank, face), time in first.items()), key=_start))
+
+    def delays(self) -> dict[Key, float]:
+        """How long each line of a reaction waits for the end of the word that its face is saying."""
+        sounding: dict[str, list[Sounding]] = {}
+        if self.times.requests:
+            for one in self.sounds():
+                sounding.setdefault(one.face, []).append(one)
+        delays = {}
+        for step, time in self.times.requests:
+            assert isinstance(step.node, Do) and step.node.face is not None
+            for one in sounding.get(step.node.face, ()):
+                if one.step.root.rank < step.root.rank and one.start < time < one.end:
+                    spoken = self.times.voices.speak(one.line, one.step.node.span)
+                    delays[step.key()] = min(one.end, one.start + word_end(spoken, time - one.start))
+        return delays
+
+    def starts(self) -> tuple[float, ...]:
+        """When each scene starts."""
+        return tuple(played.root.start for played in self.scenes)
+
+    def natural_end(self) -> float:
+        """When all has been done, NEVER where something goes on for ever."""
+        reactions = [min(root.top.time(DONE), root.top.limit) for root in self.reactions]
+        lines = [one.end for one in self.sounds()]
+        releases = [deed.release for deed in self.done if deed.release < NEVER]
+        settled = [deed.settled for deed in self.done]
+        return max([self.scenes[-1].end, *reactions, *lines, *releases, *settled])
+
+
+def _start(hold: Hold) -> float:
+    return hold.start
+
+
+def _ends(reactions: Sequence[Root]) -> dict[int, tuple[float, float]]:
+    """When each reaction has settled, and the pause before a line that follows; one that is started afresh has when
+    its follower has."""
+    ends: dict[int, tuple[float, float]] = {}
+    followers: dict[int, tuple[float, float]] = {}
+    for root in reversed(reactions):
+        body = id(root.top.node)
+        own = (root.top.time(DONE), PAUSE if ends_in_line(root.top) else 0.0)
+        if root.afresh and own[0] > root.top.limit:
+            own = followers[body]
+        ends[root.rank] = followers[body] = own
+    return ends

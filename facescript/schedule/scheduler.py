@@ -1,0 +1,121 @@
+"""A play to its score: rounds of solving times and planning gaze, until a round learns nothing new."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from facescript.diagnostics.model import Diagnostics
+from facescript.ir.play import Face, Play
+from facescript.schedule.conflicts import left_out, lines_together, nothing_dropped, shows_together
+from facescript.schedule.deeds import Deed
+from facescript.schedule.defaults import Concrete
+from facescript.schedule.drops import Key as Term
+from facescript.schedule.drops import take_off
+from facescript.schedule.events import Events
+from facescript.schedule.facts import Facts
+from facescript.schedule.faults import Faults
+from facescript.schedule.labels import Labels
+from facescript.schedule.lengths import Lengths
+from facescript.schedule.looks import Gaze, landings, scene_at
+from facescript.schedule.presence import Presence
+from facescript.schedule.round import Round
+from facescript.schedule.rules import Times
+from facescript.schedule.score import Score
+from facescript.schedule.steps import NEVER, Maker, TooMany
+from facescript.schedule.voices import Voices
+from facescript.schedule.writing import Writing
+from facescript.space.plan import GazePlan
+from facescript.space.room import Room
+from facescript.speech.model import VoiceBox
+
+MOST = 20_000
+"""Statements that a script may come to as it is played: an hour and a half with four a second."""
+
+WORK = 12 * MOST
+"""Statements that all rounds together may solve; scripts come to rest after two to five rounds."""
+
+
+def schedule(play: Play, voice: VoiceBox, diagnostics: Diagnostics) -> Score | None:
+    """The score of a play, or None where its times cannot be solved (then `diagnostics` says why).
+
+    Lines are spoken by `voice`; where that only estimates, the score is `estimated`, and conflicts that rest on it
+    are warnings.
+    """
+    return _Scheduler(play, Voices(voice)).run(diagnostics)
+
+
+@dataclass(slots=True)
+class _Scheduler:
+    play: Play
+    voices: Voices
+    concrete: Concrete = field(init=False)
+    room: Room = field(init=False)
+    faces: dict[str, Face] = field(init=False)
+    faults: Faults = field(default_factory=Faults)
+    idle: list[Deed] = field(default_factory=list)
+    drops: dict[int, tuple[Term, ...]] = field(default_factory=dict)
+    plans: dict[int, tuple[GazePlan, ...]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.concrete = Concrete(self.play.film.seed)
+        self.faces = {face.name: face for face in self.play.faces}
+        self.room = Room(self.play.film, self.play.faces, self.play.targets)
+
+    def run(self, diagnostics: Diagnostics) -> Score | None:
+        try:
+            solved = self._rounds()
+        except TooMany as fault:
+            self.faults.add("FS412", fault.step.node.span, most=MOST)
+            solved = None
+        for span, failure in self.voices.failures:
+            self.faults.voice(span, failure)
+        if solved is not None and not self.faults.failed:
+            self._check(solved)
+        self.faults.hand_over(diagnostics)
+        if solved is None or self.faults.failed:
+            return None
+        return Writing(self.play, solved, self.concrete, self.plans, self.drops).score()
+
+    def _rounds(self) -> Round | None:
+        """Solve until nothing new is learned; None where an error stands in the way."""
+        facts, work = Facts(), 0
+        while work < WORK:
+            solved = self._round(facts)
+            work += MOST - solved.maker.left + 1
+            if self.faults.failed or self.voices.failures:
+                return None
+            learned = self._learn(solved)
+            if learned == facts:
+                return solved
+            facts = learned
+        self.faults.add("FS419", self.play.scenes[0].span)
+        return None
+
+    def _round(self, facts: Facts) -> Round:
+        self.faults = Faults()
+        events = Events(self.play, self.concrete, self.faults)
+        presence = Presence(self.room, events.comings(), facts.scenes)
+        times = Times(Lengths(self.concrete, presence, facts), self.voices, Labels(), self.faults)
+        long = NEVER if self.play.film.long is None else self.play.film.long
+        solved = Round(self.play, times, Maker(self.play.film.seed, MOST), long)
+        solved.run(events.triggers(presence, min(long, max(facts.until, events.last))))
+        return solved
+
+    def _learn(self, solved: Round) -> Facts:
+        """Plan the gaze, and see who speaks when."""
+        starts = solved.starts()
+        self.drops, self.idle = take_off((deed, scene_at(starts, deed)) for deed in solved.done)
+        self.plans = Gaze(self.faces, solved.times.lengths.presence, self.play.film.seed).plan(solved.done, starts)
+        facts = Facts(landings(solved.done, self.plans), solved.delays(), solved.holds())
+        if any(reaction.event.kind == "nearest" for reaction in self.play.reactions):
+            facts.scenes, facts.until = starts, solved.natural_end()
+        return facts
+
+    def _check(self, solved: Round) -> None:
+        """Report what cannot be at one time, and what is left out."""
+        lines_together(solved.sounds(), self.faults)
+        shows_together(solved.done, self.faults)
+        left_out(solved.late, solved.times.cut, solved.long, self.faults)
+        nothing_dropped(self.idle, self.drops, solved.done, self.faults)
+        for number, start in solved.unplayed[:1]:
+            self.faults.unplayed(self.play.scenes[number], start, solved.long)

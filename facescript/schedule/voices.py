@@ -1,0 +1,93 @@
+"""Lines to their sound and their words' times: each line is spoken once, however often it is played."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import dataclass, field, replace
+
+from facescript.ir.acts import Say
+from facescript.ir.wording import occurrences
+from facescript.speech.model import Spoken, VoiceBox, VoiceFailure, WordTime
+from facescript.text import Span
+
+SILENT = Spoken(b"", 22_050, 0.0, (), (), estimated=True)
+"""What stands in for a line that cannot be spoken."""
+
+
+@dataclass(slots=True)
+class Voices:
+    """A voice box that remembers what it has spoken, what it could not, and where words stand."""
+
+    box: VoiceBox
+    failures: list[tuple[Span, VoiceFailure]] = field(default_factory=list)
+    _spoken: dict[int, Spoken] = field(default_factory=dict)
+    _alike: dict[Say, Spoken] = field(default_factory=dict)
+    _places: dict[tuple[str, str], tuple[tuple[int, int], ...]] = field(default_factory=dict)
+
+    def speak(self, line: Say, span: Span) -> Spoken:
+        """The line as sound; `span` is where it stands."""
+        known = self._spoken.get(id(line))
+        if known is None:
+            bare = replace(line, cues=())
+            known = self._alike.get(bare) or self._first(line, span)
+            self._spoken[id(line)] = self._alike[bare] = known
+        return known
+
+    def _first(self, line: Say, span: Span) -> Spoken:
+        try:
+            return self.box.speak(line)
+        except VoiceFailure as failure:
+            self.failures.append((span, failure))
+            return SILENT
+
+    def word(self, line: Say, span: Span, word: str, nth: int) -> tuple[float, float]:
+        """Seconds from the line's start to the start and the end of a word. Raises `ValueError` where the play asks
+        for a word that the line does not have."""
+        key = (line.text, word)
+        if key not in self._places:
+            self._places[key] = occurrences(*key)
+        places = self._places[key]
+        if not 1 <= nth <= len(places):
+            raise ValueError(f"the play asks for {word!r}, number {nth}, in a line without it")
+        first, last = places[nth - 1]
+        spoken = self.speak(line, span)
+        return starts_at(spoken, first), ends_at(spoken, last)
+
+
+def starts_at(spoken: Spoken, character: int) -> float:
+    """When what stands from a character of the text on begins to sound; the line's end after the last word."""
+    index = _word(spoken, character)
+    if index == len(spoken.words):
+        return spoken.duration
+    word = spoken.words[index]
+    return word.start if character <= word.first else _within(word, character)
+
+
+def ends_at(spoken: Spoken, character: int) -> float:
+    """When what stands before a character of the text has sounded; the line's start before the first word."""
+    index = _word(spoken, character)
+    if index < len(spoken.words) and spoken.words[index].first < character:
+        return _within(spoken.words[index], character)
+    return spoken.words[index - 1].end if index else 0.0
+
+
+def word_end(spoken: Spoken, time: float) -> float:
+    """The end of the word that sounds `time` seconds into the line; `time` itself between words."""
+    index = bisect_right(spoken.words, time, key=lambda word: word.start) - 1
+    return max(time, spoken.words[index].end) if index >= 0 else time
+
+
+def whole_words(spoken: Spoken, time: float) -> float:
+    """The end of the last word that is over by `time` (from the line's start); `time` where none is."""
+    ends = [word.end for word in spoken.words if word.end <= time]
+    return max(ends, default=time)
+
+
+def _word(spoken: Spoken, character: int) -> int:
+    """The index of the first word that reaches beyond a character."""
+    return bisect_right(spoken.words, character, key=lambda word: word.last)
+
+
+def _within(word: WordTime, character: int) -> float:
+    share = (character - word.first) / (word.last - word.first)
+    return word.start + (word.end - word.start) * share
