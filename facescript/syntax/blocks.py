@@ -78,12 +78,13 @@ def _shallow(lines: list[Line], faults: Faults) -> Iterator[Line]:
         if dropped is not None and line.level > dropped:
             continue
         dropped = None
-        depth = depths[line.level] + max(1, sum(token[0] == "COLON" for token in line.tokens))
+        del depths[line.level + 1 :]
+        depth = depths[-1] + max(1, sum(token[0] == "COLON" for token in line.tokens))
         if max(depth, _brackets(line)) > DEEPEST:
             faults.add("FS118", line.begin, line.end, deepest=DEEPEST)
             line.spoilt = line.faulty = True
             dropped = line.level
-        depths[line.level + 1 :] = [depth]
+        depths.append(depth)
         yield line
 
 

@@ -211,7 +211,7 @@ class _Lexer:
         self.faults.add("FS126", start, end, fix, sign=sign)
         line.faulty = True
         line.tokens.pop()
-        line.spoilt = sign != ","
+        line.spoilt = sign != "," or not line.tokens
 
     def _odd_indent(self, text: str, begin: int) -> tuple[int, str]:
         """The columns and the content of a line whose indentation may hold more than spaces."""

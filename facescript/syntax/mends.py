@@ -24,6 +24,9 @@ HEADERS = {
 }
 """Words that open a line with a colon."""
 
+LONGEST_HEADER = 40
+"""Signs of a header that a message repeats."""
+
 Mended = list[Token]
 
 
@@ -71,7 +74,8 @@ def mend(tokens: list[Token], index: int, accepts: Callable[[str], bool], faults
     for rule in RULES:
         if rule.fits(place):
             return rule.report(place)
-    return _report_unexpected(place)
+    _report_unexpected(place)
+    return None
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +86,16 @@ class Rule:
     report: Callable[[Place], Mended | None]
 
 
-# ------------------------------------------------------------------------------------------------ what stands in the wrong place
+def _report_unexpected(place: Place) -> None:
+    """Report what no rule knows."""
+    _, text, start, end = place.token
+    if start == end and place.before:
+        place.faults.add("FS125", *place.before[2:], where="after", sign=place.before[1])
+    else:
+        place.faults.add("FS135", start, end, word=text)
+
+
+# -------------------------------------------------------------------------------------------- what stands in the wrong place
 
 
 def _is_outside(place: Place) -> bool:
@@ -131,7 +144,7 @@ def _break(place: Place) -> Token | None:
     return None
 
 
-# ------------------------------------------------------------------------------------------------ what is missing
+# -------------------------------------------------------------------------------------------- what is missing
 
 
 def _lacks_colon(place: Place) -> bool:
@@ -142,9 +155,16 @@ def _lacks_colon(place: Place) -> bool:
 def _report_colon(place: Place) -> Mended:
     assert place.before is not None
     end = place.before[3]
-    fix = place.faults.fix("write `:`", (end, end, ":"))
-    place.faults.add("FS120", place.opener[2], end, fix, header=place.before[1])
+    report_no_colon(place.opener, place.before, place.faults)
     return place.with_(("COLON", ":", end, end))
+
+
+def report_no_colon(opener: Token, last: Token, faults: Faults) -> None:
+    """Report that `:` is missing after a header from `opener` to `last`; the place is the last word."""
+    start, end = last[2:]
+    header = " ".join(faults.source.text[opener[2] : end].split())
+    header = header if len(header) <= LONGEST_HEADER else opener[1]
+    faults.add("FS120", start, end, faults.fix("write `:`", (end, end, ":")), header=header)
 
 
 def _lacks_equals(place: Place) -> bool:
@@ -153,7 +173,7 @@ def _lacks_equals(place: Place) -> bool:
 
 
 def _report_equals(place: Place) -> Mended | None:
-    kind, text, start, end = place.token
+    kind, _, start, end = place.token
     before = place.before or place.token
     if kind in ("COLON", "OPERATOR"):
         fix = place.faults.fix("write ` =`", (before[3], end, " ="))
@@ -240,7 +260,7 @@ def _report_value(place: Place) -> None:
         place.faults.add("FS125", *place.before[2:], where="after", sign=place.before[1])
 
 
-# ------------------------------------------------------------------------------------------------ what is too many
+# -------------------------------------------------------------------------------------------- what is too many
 
 
 def _is_colon(place: Place) -> bool:
@@ -260,14 +280,6 @@ def _report_extra_colon(place: Place) -> Mended | None:
     before = place.before[1] if place.before else ""
     place.faults.add("FS121", start, end, place.faults.fix("remove it", (start, end, "")), before=before)
     return None
-
-
-def _report_unexpected(place: Place) -> None:
-    _, text, start, end = place.token
-    if start == end and place.before:
-        place.faults.add("FS125", *place.before[2:], where="after", sign=place.before[1])
-        return
-    place.faults.add("FS135", start, end, word=text)
 
 
 RULES = (

@@ -9,9 +9,13 @@ from facescript.syntax.builder import TERMINALS, Builder
 from facescript.syntax.faults import Faults
 from facescript.syntax.lexer import Line
 from facescript.syntax.machine import Machine, Mark, Rule
-from facescript.syntax.mends import mend
+from facescript.syntax.mends import mend, report_no_colon
 from facescript.syntax.spacing import Token
 from facescript.syntax.table import table
+
+
+GESTURES = frozenset(("nod", "shake", "blink"))
+"""Statements of one word that are no face's name."""
 
 
 class Reader:
@@ -70,19 +74,23 @@ class _BlockReader:
         return self.machine.finish(self.place)
 
     def _line(self, line: Line) -> None:
+        """Read a line: as it is, else as it is meant, else leave it out. Of what is wrong only the first is told."""
         mark = self.machine.mark()
         tokens = self._left_out(line) if line.spoilt else self._ended(line.tokens)
         count = self.machine.run(tokens)
-        while count < len(tokens):
-            mended = None
-            if not line.faulty:
-                mended = mend(tokens, count, self.machine.accepts, self.faults)
-                line.faulty = True
+        if count < len(tokens) and not line.faulty:
+            line.faulty = True
+            mended = mend(tokens, count, self.machine.accepts, self.faults)
+            if mended:
+                self.machine.restore(mark)
+                tokens = mended
+                count = self.machine.run(tokens)
+        if count < len(tokens):
             self.machine.restore(mark)
-            tokens = mended or self._left_out(line)
-            count = self.machine.run(tokens)
+            tokens = self._left_out(line)
+            self.machine.run(tokens)
         self.before = line, mark
-        self.place = tokens[-1][3]
+        self.place = line.end
 
     def _left_out(self, line: Line) -> list[Token]:
         """What stands for a line that cannot be read."""
@@ -136,9 +144,7 @@ class _BlockReader:
         """Read the line above again with the colon that it lacks."""
         end = header.end
         if not header.faulty:
-            self.faults.add(
-                "FS120", header.begin, end, self.faults.fix("write `:`", (end, end, ":")), header=header.tokens[-1][1]
-            )
+            report_no_colon(_after_colon(header)[0], header.tokens[-1], self.faults)
             header.faulty = True
         self.machine.restore(mark)
         self.machine.run([*self._ended([*header.tokens, ("COLON", ":", end, end)]), self._mark("_INDENT")])
@@ -157,7 +163,12 @@ class _BlockReader:
 
 
 def _lacks_colon(line: Line) -> bool:
-    """Whether a line that opens no block looks as if it should: it ends in one name, or in `in turn`."""
+    """Whether a line that opens no block looks as if it should: it ends in a name alone, or in `in turn`."""
+    words = [token[1] for token in _after_colon(line)]
+    return words == ["in", "turn"] or (len(words) == 1 and line.tokens[-1][0] == "NAME" and words[0] not in GESTURES)
+
+
+def _after_colon(line: Line) -> list[Token]:
+    """The tokens of a line after its last colon: its last statement."""
     colons = [index for index, token in enumerate(line.tokens) if token[0] == "COLON"]
-    last = line.tokens[colons[-1] + 1 if colons else 0 :]
-    return [token[1] for token in last] == ["in", "turn"] or (len(last) == 1 and last[0][0] == "NAME")
+    return line.tokens[colons[-1] + 1 if colons else 0 :]

@@ -182,13 +182,13 @@ BLOCKS: tuple[Entry, ...] = (
         "This line is indented, but the line above opens no block; indent both alike.",
         "nod 20%\n    blink\n",
         "nod 20%\nblink\n",
-        "A block stands after a colon; texts and `on` stand below a `say`, settings below a `face`, positions below a `target`.",
+        "A block stands after a colon; texts and `on` below a `say`, settings below a `face`, positions below a `target`.",
     ),
     Entry(
         "FS120",
         "colon-missing",
         Severity.ERROR,
-        "A statement or a block follows `{header}`; write `:` after it.",
+        "Write `:` after `{header}`; a statement or a block follows it.",
         "scene a\n    nod\n",
         "scene a:\n    nod\n",
     ),
@@ -196,7 +196,7 @@ BLOCKS: tuple[Entry, ...] = (
         "FS121",
         "colon-unexpected",
         Severity.ERROR,
-        "`{before}` takes no `:`; one stands after a face's name and in lines that begin with "
+        "No `:` can stand after `{before}`; it stands after a face's name, and in lines that begin with "
         "`scene when action repeat at on together choose in turn`.",
         "look at camera:\nnod\n",
         "look at camera\nnod\n",

@@ -1,0 +1,18 @@
+"""Text to the number of columns that it takes on a terminal."""
+
+from __future__ import annotations
+
+import unicodedata
+
+
+def columns(text: str) -> int:
+    """Columns in a fixed-width font: East Asian wide signs take two, marks that join the sign before them none (UAX 11)."""
+    if text.isascii():
+        return len(text)
+    return sum(_column(sign) for sign in text)
+
+
+def _column(sign: str) -> int:
+    if unicodedata.category(sign) in ("Mn", "Me", "Cf"):
+        return 0
+    return 2 if unicodedata.east_asian_width(sign) in "WF" else 1
