@@ -1,0 +1,25 @@
+"""A face's style -> the default ground behind it, which nothing moves."""
+
+from __future__ import annotations
+
+from facescript.rig.cartoon import table
+from facescript.rig.cartoon.palette import Palette
+from facescript.rig.cartoon.style import FaceStyle
+from facescript.rig.picture import Picture, Shape
+
+import numpy as np
+
+from facescript.rig.cartoon.face import EYES
+
+
+def backdrop(style: FaceStyle, palette: Palette) -> tuple[tuple[Shape, ...], Picture]:
+    """Shapes of group "background" with points of their own, and their one frame; the art box is 720 x 720 px."""
+    parts = style.backdrop(palette)
+    outlines = {part.id: part.loops for part in parts}
+    anchors = table.build(parts, outlines, outlines)
+    columns = (anchors.points(values[:, None])[:, 0] + EYES[k] for k, values in enumerate((anchors.x, anchors.y)))
+    points = np.stack(list(columns), axis=-1)[None]
+    shapes = tuple(
+        Shape(part.id, part.group, anchors.contours[part.id], part.fill, part.clip, moving=False) for part in parts
+    )
+    return shapes, Picture(points, np.array([[part.opacity for part in parts]]))

@@ -1,0 +1,80 @@
+"""Poses -> what eyes and mouth draw afresh: channels by name handed to `eye.py` and `mouth.py`."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from facescript.performance.channels import INDEX, MUSCLES, NAMES, SIDES
+from facescript.performance.performance import Frames
+from facescript.rig.cartoon.eye import EyeState, draw_eye
+from facescript.rig.cartoon.mouth import MouthState, Side, draw_mouth
+from facescript.rig.cartoon.pen import Floats, Pen, soft_max
+from facescript.rig.cartoon.style import FaceStyle
+
+Columns = dict[str, Floats]
+"""Channels, and what follows from them, by name: array[frame]."""
+
+JAW_PX = 24.0
+"""How far a jaw that drops all the way lowers the chin, px."""
+
+FLOORS = {"mouth.jaw": (0.0, 1.5), "mouth.teeth": (0.0, 1.0), "mouth.tongue": (0.0, 1.0), "mouth.round": (0.0, 1.0)}
+
+
+def columns(frames: Frames) -> Columns:
+    """Channels of poses array[frame, channel] by name; muscles and the mouth's parts within their ranges."""
+    rows = np.ascontiguousarray(np.asarray(frames, dtype=np.float64).T)
+    named = {name: rows[INDEX[name]] for name in NAMES}
+    for muscle in MUSCLES:
+        for side in SIDES:
+            name = f"{muscle}.{side}"
+            named[name] = np.clip(named[name], 0.0, 1.2)
+    for name, (low, high) in FLOORS.items():
+        named[name] = np.clip(named[name], low, high)
+    named["chin"] = (named["chin.left"] + named["chin.right"]) / 2
+    return named
+
+
+def draw_live(style: FaceStyle, named: Columns) -> Pen:
+    """Eyes and mouth in the poses; adds `jaw-drop`, the chin's way in px, to the columns."""
+    pen = Pen()
+    lips = draw_mouth(pen, style.mouth, _mouth(named))
+    dropped = 0.55 * (lips.drop - 0.3)
+    named["jaw-drop"] = np.asarray(soft_max(JAW_PX * named["mouth.jaw"], dropped, 4.0), dtype=np.float64)
+    for side, sign in (("right", -1), ("left", 1)):
+        draw_eye(pen, style.eye, style.d, sign, side, _eye(named, side))
+    return pen
+
+
+def _eye(named: Columns, side: str) -> EyeState:
+    yaw, pitch, roll = (np.radians(named[f"eye.{side}.{axis}"]) for axis in ("yaw", "pitch", "roll"))
+    return EyeState(
+        opening=1 - np.clip(named[f"lid.{side}"], -0.35, 1.0),
+        yaw=yaw,
+        pitch=pitch,
+        roll=roll,
+        pupil=named[f"pupil.{side}"],
+        cheek=named[f"cheek.upper.{side}"] + 0.15 * named[f"cheek.lower.{side}"],
+        nose=named[f"nose.upper.{side}"],
+        frown=named[f"brow.lower.{side}"],
+        raised=named[f"brow.inner.{side}"] * 0.5 + named[f"brow.outer.{side}"] * 0.5 + named[f"forehead.{side}"],
+    )
+
+
+def _mouth(named: Columns) -> MouthState:
+    parts = {
+        name: named[f"mouth.{name}"] for name in ("open", "wide", "round", "upper", "lower", "jaw", "teeth", "tongue")
+    }
+    return MouthState(chin=named["chin"], sides=(_side(named, "right"), _side(named, "left")), **parts)
+
+
+def _side(named: Columns, side: str) -> Side:
+    return Side(
+        smile=named[f"cheek.lower.{side}"],
+        frown=named[f"lip.corner.{side}"],
+        raise_=named[f"lip.upper.{side}"],
+        lower=named[f"lip.lower.{side}"],
+        stretch=named[f"lip.stretch.{side}"],
+        press=named[f"lip.press.{side}"],
+        pucker=named[f"lip.pucker.{side}"],
+        nose=named[f"nose.upper.{side}"],
+    )

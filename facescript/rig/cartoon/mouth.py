@@ -1,0 +1,380 @@
+"""Mouth channels and the muscles round the mouth -> lips, cavity, teeth, tongue, folds of the cheeks.
+
+The inner edges of the lips are the master: five points above, five below, right and left of their own. Lips, cavity,
+teeth, tongue, line and folds follow from them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from facescript.rig.cartoon.pen import Floats, Number, Pen, Spot, lerp, soft_max, step
+
+SIDES = (-1, 1)
+"""The image's left (the face's right) and the image's right."""
+
+
+@dataclass(frozen=True, slots=True)
+class MouthStyle:
+    """One face's mouth, px: height of the line, half width, lips, bow, and where the nose's base and wings are."""
+
+    y: float
+    half_width: float
+    corner: float
+    upper: float
+    lower: float
+    tubercle: float
+    bow: float
+    dip: float
+    under: float
+    line: float
+    tick: float
+    nose_base: float
+    wing: tuple[float, float]
+
+    @property
+    def mns0(self) -> float:
+        """Mouth to nose, px."""
+        return self.y - self.nose_base
+
+    @property
+    def mw0(self) -> float:
+        """Mouth width, px."""
+        return 2 * self.half_width
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """The muscles of one side over frames, 0..1."""
+
+    smile: Floats
+    frown: Floats
+    raise_: Floats
+    lower: Floats
+    stretch: Floats
+    press: Floats
+    pucker: Floats
+    nose: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class MouthState:
+    """The mouth over frames: its eight channels, the chin's muscle, and both sides (image left, image right)."""
+
+    open: Floats
+    wide: Floats
+    round: Floats
+    upper: Floats
+    lower: Floats
+    jaw: Floats
+    teeth: Floats
+    tongue: Floats
+    chin: Floats
+    sides: tuple[Side, Side]
+
+    def mean(self, muscle: str) -> Floats:
+        values: Floats = (getattr(self.sides[0], muscle) + getattr(self.sides[1], muscle)) / 2
+        return values
+
+
+@dataclass(frozen=True, slots=True)
+class Lips:
+    """The lips over frames: corners, inner and outer edges; lists run from the image's left to its right."""
+
+    gap: Floats
+    apart: Floats
+    round: Floats
+    corner: list[tuple[Number, Number]]
+    inner_upper: list[Spot]
+    inner_lower: list[Spot]
+    outer_upper: list[Spot]
+    outer_lower: list[Spot]
+    thick: tuple[Number, Number]
+    drop: Floats
+
+
+def lips(style: MouthStyle, state: MouthState) -> Lips:
+    """Where the lips are. The inner gap at the middle is `open` MNS0 (and what lip muscles add to an open mouth)."""
+    unit = style.mns0
+    apart = step(0.0, 0.16, state.open)
+    puckered = np.clip(state.round + 0.9 * state.mean("pucker"), 0.0, 1.0)
+    up, low = unit * state.upper, unit * state.lower
+    said = unit * np.maximum(state.open, 0.0)
+    slack = said - up - low
+    rise = up + 0.2 * slack + apart * 4.0 * state.mean("raise_")
+    rise = 13.0 * np.tanh(rise / 13.0)
+    gap = said + apart * (4.0 * state.mean("raise_") + 5.0 * state.mean("lower"))
+    middle = (
+        style.y
+        + style.tubercle
+        + 3.0 * state.jaw
+        - 4.0 * state.chin
+        - 1.6 * state.mean("raise_")
+        - 2.2 * state.mean("nose")
+    )
+    middle = middle + 1.5 * state.mean("smile") - rise
+    corner = [_corner(style, state, k, middle, gap, puckered) for k in (0, 1)]
+    inner_upper, inner_lower = _inner(style, state, middle, gap, apart, puckered, corner)
+    thick = _thickness(style, state, slack, apart, puckered)
+    outer_upper, outer_lower = _outer(style, state, inner_upper, inner_lower, thick, puckered, corner)
+    drop = inner_lower[2][1] - style.y - style.tubercle
+    return Lips(
+        gap, apart, puckered, corner, inner_upper, inner_lower, outer_upper, outer_lower, thick, np.asarray(drop)
+    )
+
+
+def _corner(
+    style: MouthStyle, state: MouthState, k: int, middle: Number, gap: Floats, puckered: Floats
+) -> tuple[Number, Number]:
+    side = state.sides[k]
+    half = style.half_width * (1 - 0.34 * np.clip(side.pucker, 0, 1) * (1 - 0.4 * state.round) - 0.10 * state.round)
+    half = half + style.mw0 * state.wide + 7.0 * side.smile + 6.0 * side.stretch + 2.0 * side.frown - 2.5 * side.press
+    half = soft_max(half, 12.0, 6.0)
+    y = style.y + style.corner - 9.5 * side.smile + 9.0 * side.frown - 1.0 * side.raise_ + 1.5 * side.stretch
+    y = y + 2.0 * state.jaw + gap * lerp(0.10, 0.42, puckered) - unit_rise(style, state) * 0.3 - 1.5 * state.chin
+    return SIDES[k] * half, y
+
+
+def unit_rise(style: MouthStyle, state: MouthState) -> Floats:
+    """How far (px) a mouth that shifts as a whole goes up."""
+    shift: Floats = style.mns0 * (state.upper - state.lower) / 2
+    return np.clip(shift, -6.0, 6.0)
+
+
+def _inner(
+    style: MouthStyle,
+    state: MouthState,
+    middle: Number,
+    gap: Floats,
+    apart: Floats,
+    puckered: Floats,
+    corner: list[tuple[Number, Number]],
+) -> tuple[list[Spot], list[Spot]]:
+    """The lips' inner edges: closed lips are one line, whatever the muscles say."""
+    upper: list[Spot] = [(*corner[0], True)]
+    lower: list[Spot] = [(*corner[0], True)]
+    middles = (middle - style.tubercle * 0.4 * apart, middle + gap + 0.3 - style.tubercle * 0.4 * apart)
+    for k in (0, 1):
+        side, (x, y) = state.sides[k], corner[k]
+        level = middle - style.tubercle * (1 - apart)
+        along = lerp(0.86, lerp(0.74, 0.84, puckered), apart)
+        top = lerp(y, level, along) - apart * (4.0 * side.raise_ + 1.5 * side.nose) - 1.0 * side.raise_
+        bottom = top + 0.3 + gap * lerp(0.80, 0.92, puckered) + apart * (3.0 * side.lower + 2.0 * side.raise_)
+        if k == 1:
+            upper.append((0.0, middles[0]))
+            lower.append((0.0, middles[1]))
+        upper.append((x * 0.56, top))
+        lower.append((x * 0.56, bottom))
+    upper.append((*corner[1], True))
+    lower.append((*corner[1], True))
+    return upper, lower
+
+
+def _thickness(
+    style: MouthStyle, state: MouthState, slack: Floats, apart: Floats, puckered: Floats
+) -> tuple[Number, Number]:
+    """How thick upper and lower lip are at the middle: what the edges ask for, thinner where lips are drawn out."""
+    drawn = 1 - 0.14 * state.mean("smile") - 0.16 * state.mean("stretch") - 0.50 * state.mean("press")
+    drawn = drawn * (1 - 0.10 * apart * (1 - puckered)) + 0.14 * puckered * state.mean("pucker")
+    share = (1 - 0.2 * slack / style.upper, 1 - 0.8 * slack / style.lower)
+    soft = [1 + 0.38 * np.tanh((s - 1) / 0.38) for s in share]
+    upper = style.upper * drawn * soft[0] + 1.0 * state.mean("raise_")
+    lower = style.lower * drawn * soft[1] + 2.2 * state.chin + 1.2 * state.mean("frown")
+    return upper, lower
+
+
+def _outer(
+    style: MouthStyle,
+    state: MouthState,
+    inner_upper: list[Spot],
+    inner_lower: list[Spot],
+    thick: tuple[Number, Number],
+    puckered: Floats,
+    corner: list[tuple[Number, Number]],
+) -> tuple[list[Spot], list[Spot]]:
+    """The lips' outer edges: bow and sides above, the full lip below."""
+    upper, lower = thick
+    top, bottom = inner_upper[2][1], inner_lower[2][1]
+    above: list[Spot] = []
+    below: list[Spot] = []
+    for k in (0, 1):
+        side, (x, _) = state.sides[k], corner[k]
+        bow = style.bow * lerp(1.0, np.abs(x) / style.half_width, 0.55)
+        bow = SIDES[k] * lerp(bow, np.maximum(bow, np.abs(x) * 0.40), puckered)
+        lift = 3.6 * side.raise_ + 2.0 * side.nose
+        row = 1 if k == 0 else 3
+        high = (x * lerp(0.60, 0.74, puckered), inner_upper[row][1] - upper * lerp(0.62, 0.76, puckered) - lift)
+        peak = (bow, top - upper - style.tubercle * 0.5 - lift * 0.9)
+        above += (
+            [high, peak, (0.0, top - upper + style.dip * (1 - 0.35 * puckered) - 2.0 * state.mean("raise_"))]
+            if k == 0
+            else [peak, high]
+        )
+        sink = 3.0 * side.lower
+        flat = (x * lerp(0.66, 0.76, puckered), inner_lower[row][1] + lower * 0.64 + sink)
+        full = (x * 0.30, bottom + lower - 0.5 + sink)
+        below += [flat, full] if k == 0 else [full, flat]
+    return above, below
+
+
+def draw_mouth(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
+    """Draw all parts of the mouth and the folds beside it into `pen`; returns where the lips are."""
+    shape = lips(style, state)
+    _inside(pen, style, state, shape)
+    _lips(pen, style, shape)
+    _line(pen, style, shape)
+    _folds(pen, style, state, shape)
+    return shape
+
+
+def _inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> None:
+    """Cavity, tongue and both rows of teeth; the cavity bounds them all."""
+    top, bottom = shape.inner_upper, shape.inner_lower
+    pen.loop("mouth-cavity", [*top, *bottom[3:0:-1]])
+    (left, left_y), (right, right_y) = shape.corner
+    high, low = top[2][1], bottom[2][1]
+    teeth = 10.0 * np.clip(state.teeth, 0.0, 1.0) + 2.0 * shape.apart * state.mean("raise_")
+    tip_up = np.clip(state.tongue, 0.0, 1.0)
+    resting = low - 10.0 * step(8.0, 30.0, shape.gap)
+    tongue = lerp(resting, high + np.minimum(teeth, 8.0) * 0.7 + 2.0, tip_up)
+    wide = lerp(1.0, 0.72, tip_up)
+    pen.loop(
+        "mouth-tongue",
+        [
+            (left * 0.58, low + 12),
+            (left * 0.44 * wide, tongue + 3),
+            (left * 0.08, tongue),
+            (right * 0.08, tongue),
+            (right * 0.44 * wide, tongue + 3),
+            (right * 0.58, low + 12),
+            (0.0, low + 18),
+        ],
+    )
+    _teeth(pen, shape, teeth)
+
+
+def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
+    top, bottom = shape.inner_upper, shape.inner_lower
+    (left, left_y), (right, right_y) = shape.corner
+    high, low = top[2][1], bottom[2][1]
+    arch = lerp(0.84, 0.60, shape.round)
+    part = (arch - 0.56) / 0.44
+    edge = [
+        row[1] + (y - row[1]) * np.maximum(part, 0.0) ** 1.6 + 0.4 for row, y in ((top[1], left_y), (top[3], right_y))
+    ]
+    sag = [lerp(top[k][1] + teeth * 0.8, high + teeth * 0.92, shape.round) for k in (1, 3)]
+    pen.loop(
+        "mouth-teeth-upper",
+        [
+            (left, left_y - 9, True),
+            (left * 0.5, top[1][1] - 9),
+            (0.0, high - 9),
+            (right * 0.5, top[3][1] - 9),
+            (right, right_y - 9, True),
+            (right * arch, edge[1], True),
+            (right * 0.46, sag[1]),
+            (0.0, high + teeth),
+            (left * 0.46, sag[0]),
+            (left * arch, edge[0], True),
+        ],
+    )
+    shown = 0.72 * teeth * (1 - step(10.0, 26.0, shape.gap)) - 8.0 * (1 - step(0.0, 4.0, teeth))
+    pen.loop(
+        "mouth-teeth-lower",
+        [
+            (left * 0.8, left_y + 12, True),
+            (0.0, low + 14),
+            (right * 0.8, right_y + 12, True),
+            (right * 0.74, lerp(right_y, bottom[3][1], 0.7) - shown * 0.3),
+            (right * 0.4, bottom[3][1] - shown * 0.8),
+            (0.0, low - shown),
+            (left * 0.4, bottom[1][1] - shown * 0.8),
+            (left * 0.74, lerp(left_y, bottom[1][1], 0.7) - shown * 0.3),
+        ],
+    )
+
+
+def _lips(pen: Pen, style: MouthStyle, shape: Lips) -> None:
+    """Both lips overlap the cavity by half a pixel, so that a closed mouth shows no slit."""
+    (left, left_y), (right, right_y) = shape.corner
+    top, bottom = shape.inner_upper, shape.inner_lower
+    pen.loop(
+        "mouth-lip-lower",
+        [
+            (right + 1.1, right_y - 0.3, True),
+            *shape.outer_lower[::-1],
+            (left - 1.1, left_y - 0.3, True),
+            *((spot[0], spot[1] - 0.5) for spot in bottom[1:4]),
+        ],
+    )
+    pen.loop(
+        "mouth-lip-upper",
+        [
+            (left - 1.6, left_y + 0.2, True),
+            *shape.outer_upper,
+            (right + 1.6, right_y + 0.2, True),
+            *((spot[0], spot[1] + 0.6) for spot in top[3:0:-1]),
+        ],
+    )
+    outer = (shape.outer_lower[1][1] + shape.outer_lower[2][1]) / 2
+    light = lerp(bottom[2][1], outer, 0.40)
+    tall = (outer - bottom[2][1]) * 0.24
+    pen.loop(
+        "mouth-lip-light",
+        [(left * 0.34, light - 0.8, True), (0.0, light - 1.4), (right * 0.22, light - 1.0, True), (0.0, light + tall)],
+    )
+    under = outer + 3.0
+    pen.loop(
+        "mouth-under",
+        [
+            (left * 0.40, under - 1, True),
+            (0.0, under + 0.8),
+            (right * 0.40, under - 1, True),
+            (0.0, under + style.under),
+        ],
+    )
+
+
+def _line(pen: Pen, style: MouthStyle, shape: Lips) -> None:
+    """The line between the lips, with a tick at each corner; both fade as the mouth opens."""
+    (left, left_y), (right, right_y) = shape.corner
+    top = shape.inner_upper
+    width = style.line * (1 - 0.35 * shape.apart)
+    tick = lerp(4.5, 2.0, shape.apart) * (1 - 0.6 * shape.round)
+    rise = style.tick * (1 - 0.8 * shape.apart)
+    pen.ribbon(
+        "mouth-line",
+        [
+            (left - tick, left_y + rise, 0.01),
+            (left, left_y + 0.2, width * 1.3, True),
+            (left * 0.56, top[1][1] + 0.3, width * 0.85),
+            (0.0, top[2][1] + 0.3, width * 1.15),
+            (right * 0.56, top[3][1] + 0.3, width * 0.85),
+            (right, right_y + 0.2, width * 1.3, True),
+            (right + tick, right_y + rise, 0.01),
+        ],
+    )
+
+
+def _folds(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> None:
+    """The fold from each wing of the nose round the corner of the mouth."""
+    for k, name in enumerate(("right", "left")):
+        side, (corner_x, corner_y) = state.sides[k], shape.corner[k]
+        away = SIDES[k]
+        start_x, start_y = style.wing[0], style.wing[1] - 4.0 * side.nose - 2.0 * side.raise_
+        reach = corner_x * away
+        bulge = lerp(start_x, reach + 11, 0.62) + 2.0 * side.smile
+        pen.ribbon(
+            f"cheek-fold-{name}",
+            [
+                (away * start_x, start_y, 0.01),
+                (away * bulge, lerp(start_y, corner_y, 0.42) - 1, 2.6),
+                (away * (reach + 10), corner_y - 5, 1.6),
+                (away * (reach + 12), corner_y + 2, 0.01),
+            ],
+        )
+        strength = 0.22 * side.smile + 0.30 * side.nose + 0.20 * side.raise_ + 0.08 * side.stretch
+        pen.opacity[f"cheek-fold-{name}"] = np.minimum(strength, 0.42)
+    pen.opacity["mouth-under"] = 0.42 + 0.1 * shape.apart

@@ -1,0 +1,83 @@
+"""Parts and their outlines at rest -> one table of anchors, and the constant map from anchors to a picture's points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from facescript.rig.cartoon.outline import Loop, Part
+from facescript.rig.cartoon.spline import Term, handle_map
+from facescript.rig.picture import Contour
+
+Floats = NDArray[np.float64]
+Loops = Mapping[str, Sequence[Loop]]
+"""Outlines by part."""
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Anchors of all parts, and each point of the picture as a sum of at most three of them.
+
+    `x`, `y` are the anchors at rest (px), `rows` and `contours` each part's share; `source` and `weight` are
+    array[3, point] and array[3, point, 1].
+    """
+
+    x: Floats
+    y: Floats
+    owner: tuple[tuple[str, str], ...]
+    rows: dict[str, slice]
+    contours: dict[str, tuple[Contour, ...]]
+    source: NDArray[np.intp]
+    weight: Floats
+
+    def points(self, values: Floats) -> Floats:
+        """The picture's points array[point, frame] of one coordinate of the anchors array[anchor, frame]."""
+        total = values[self.source[0]] * self.weight[0]
+        total += values[self.source[1]] * self.weight[1]
+        total += values[self.source[2]] * self.weight[2]
+        return total
+
+
+def build(parts: Sequence[Part], rest: Loops, fit: Loops) -> Table:
+    """The table of `parts` with outlines `rest`; handles are fitted where the anchors are in `fit`."""
+    spots: list[tuple[float, float]] = []
+    owner: list[tuple[str, str]] = []
+    terms: list[tuple[Term, ...]] = []
+    rows: dict[str, slice] = {}
+    contours: dict[str, tuple[Contour, ...]] = {}
+    for part in parts:
+        begin = len(spots)
+        mine = []
+        for outline, fitted in zip(rest[part.id], fit[part.id], strict=True):
+            first, base = len(terms), len(spots)
+            spots += [(x, y) for x, y, _ in outline]
+            terms += _path(fitted, base)
+            mine.append(Contour(first, len(terms) - first))
+        rows[part.id] = slice(begin, len(spots))
+        contours[part.id] = tuple(mine)
+        owner += [(part.id, part.depth)] * (len(spots) - begin)
+    x, y = (np.array(column, dtype=np.float64) for column in zip(*spots, strict=True))
+    source, weight = _padded(terms)
+    return Table(x, y, tuple(owner), rows, contours, source, weight)
+
+
+def _path(outline: Loop, base: int) -> list[tuple[Term, ...]]:
+    """Start, then handle, handle, anchor of each segment, as sums of the table's anchors."""
+    points: list[tuple[Term, ...]] = [((base, 1.0),)]
+    for i, pair in enumerate(handle_map(outline)):
+        points += [tuple((base + k, w) for k, w in handle) for handle in pair]
+        points.append(((base + (i + 1) % len(outline), 1.0),))
+    return points
+
+
+def _padded(terms: Sequence[tuple[Term, ...]]) -> tuple[NDArray[np.intp], Floats]:
+    source = np.zeros((3, len(terms)), dtype=np.intp)
+    weight = np.zeros((3, len(terms), 1))
+    for column, term in enumerate(terms):
+        for k in range(3):
+            anchor, share = term[k] if k < len(term) else (term[0][0], 0.0)
+            source[k, column], weight[k, column, 0] = anchor, share
+    return source, weight
