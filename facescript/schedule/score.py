@@ -21,7 +21,8 @@ class TimedAct:
     `settled` when the next statement may, `released` when it begins to let go (FOREVER: until replaced or the
     scene's end), `end` when nothing of it is left. `order` breaks ties of `start`: the later line wins.
     `label` is its name in the outputs (`trials.7.cued`), `plan` the gaze shift of a look, glance or one stop of a scan.
-    `persons` says which target each person of a reaction is.
+    `persons` says which target each person of a reaction is; `estimated` whether its times rest on a line that no
+    voice has spoken yet.
     """
 
     order: int
@@ -37,6 +38,7 @@ class TimedAct:
     plan: tuple[GazePlan, ...] = ()
     drops: tuple[tuple[int, int], ...] = ()
     persons: tuple[tuple[str, str], ...] = ()
+    estimated: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -76,6 +76,7 @@ class Writing:
             plan,
             tuple((before + order, term) for order, term in self.drops.get(deed.order, ())),
             deed.root.persons,
+            deed.step.rough(START),
         )
 
     def _settings(self) -> Iterator[TimedAct]:
