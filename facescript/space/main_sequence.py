@@ -73,8 +73,8 @@ def vergence_share(amplitude: float, converging: bool) -> float:
     return (CONVERGE_SHARE if converging else DIVERGE_SHARE) * min(1.0, amplitude / 20.0)
 
 
-SERIES = 40
-"""Terms of the power series of the beta distribution; at 1/2 the rest is below 1e-12."""
+SERIES = 30
+"""Terms of the power series of the beta distribution; at 1/2 the rest is below 1e-11."""
 
 
 @lru_cache(maxsize=4096)

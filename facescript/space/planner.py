@@ -107,7 +107,7 @@ class _Scene:
     def __init__(self, room: Room, face: Face, start: float) -> None:
         self.room, self.face, self.start = room, face, start
         self.shifter = Shifter(room, face, start)
-        self.active: list[GazeRequest] = []
+        self.active: dict[Key, GazeRequest] = {}
         self.aims: dict[Key, Aim] = {}
         self.watched: _Watched | None = None
         self.plans: dict[Key, list[GazePlan]] = {}
@@ -130,7 +130,7 @@ class _Scene:
             place = request.place or request.key
             aim = averted(self.shifter.eyes.goal(clock), self.room.film.seed, self.face.name, *place)
         self.aims[request.key] = aim
-        self.active.append(request)
+        self._take(request)
         wish = Wish(aim, request.manner.parts, request.manner, request.over, request.glance, request.released)
         eyes = request.manner.parts != "head only"
         if eyes:
@@ -162,7 +162,7 @@ class _Scene:
         before = self._owners()
         if before.eyes is request:
             self._judge(time - self.start)
-        self.active.remove(request)
+        self.active.pop(request.key, None)
         after = self._owners()
         for wish in self._back(request, before, after):
             self.plans[request.key].append(self.shifter.plan(time - self.start, wish))
@@ -185,9 +185,18 @@ class _Scene:
         return Wish(self.aims[owner.key], parts, back, None, owner.glance)
 
     def _owners(self) -> _Owners:
-        eyes = [r for r in self.active if r.manner.parts != "head only"]
-        head = [r for r in self.active if r.manner.parts != "eyes only"]
-        return _Owners(eyes[-1] if eyes else None, head[-1] if head else None)
+        latest = list(reversed(self.active.values()))
+        eyes = next((request for request in latest if request.manner.parts != "head only"), None)
+        return _Owners(eyes, next((request for request in latest if request.manner.parts != "eyes only"), None))
+
+    def _take(self, request: GazeRequest) -> None:
+        """The request has its parts from now on; what it covers for good will never come back."""
+        if request.released == inf:
+            both = request.manner.parts not in ("eyes only", "head only")
+            covered = [r.key for r in self.active.values() if both or r.manner.parts == request.manner.parts]
+            for key in covered:
+                del self.active[key]
+        self.active[request.key] = request
 
 
 COMFORT = (28.0, 14.0, 20.0)

@@ -8,6 +8,7 @@ exceeds 5 % of its peak. Gaze has landed when it is first within 0.5 deg of the 
 
 from __future__ import annotations
 
+import csv
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -57,6 +58,14 @@ class Trace:
 
     def speed(self, values: Floats) -> Floats:
         return np.gradient(values, self.times)
+
+
+def read(path: Path) -> Trace:
+    """The trace of a .csv of one face."""
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    channels = {name: np.array([float(row[name]) for row in rows]) for name in rows[0] if "." in name}
+    return Trace(np.array([float(row["time"]) for row in rows]), channels)
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from facescript.ir.acts import GazeManner
 from facescript.ir.values import AtCamera, Towards
 from facescript.motion.gaze import GazeTrack
+from facescript.motion.gaze_aims import in_effect
 from facescript.schedule.score import Score, TimedAct, TimedScene
 from facescript.space.planner import GazeRequest
 
@@ -169,3 +170,11 @@ def test_every_scene_begins_at_the_camera_and_with_its_targets_at_their_start() 
 def _later(plan: object, by: float) -> object:
     times = ("eye_onset", "eye_done", "landed", "head_onset", "head_done")
     return replace(plan, **{name: getattr(plan, name) + by for name in times})
+
+
+def test_what_is_overtaken_before_it_sets_off_never_does() -> None:
+    asked = [request(0, Towards(10, 0), 0.0), request(1, Towards(-50, 0), 0.1)]
+    first, second = (act.plan[0] for act in score([], asked, face(), film(), 1.0).acts)
+    assert second.head_onset < first.head_onset
+    assert in_effect([first, second], lambda plan: plan.head_onset) == [second]
+    assert in_effect([first, second], lambda plan: plan.eye_onset) == [first, second]
