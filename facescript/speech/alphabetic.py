@@ -5,6 +5,7 @@ from __future__ import annotations
 import unicodedata
 from bisect import bisect_right
 from dataclasses import dataclass, field
+from itertools import accumulate, pairwise
 
 from facescript.ir.acts import Stretch
 from facescript.speech.espeak import Espeak, Sound, Utterance
@@ -151,10 +152,10 @@ def _begun(found: tuple[Word, ...], sent: Sent, sound: Sound) -> list[tuple[int,
 
 
 def _shared(piece: Piece, group: tuple[Word, ...], start: float, end: float) -> list[WordTime]:
-    letters_in = [sum(map(is_letter, piece.text[word.first : word.last])) for word in group]
-    share, at, times = (end - start) / sum(letters_in), start, []
-    for word, count in zip(group, letters_in, strict=True):
-        text = piece.text[word.first : word.last]
-        times.append(WordTime(text, piece.first + word.first, piece.first + word.last, at, at + share * count))
-        at += share * count
-    return times
+    texts = [piece.text[word.first : word.last] for word in group]
+    counts = list(accumulate((sum(map(is_letter, text)) for text in texts), initial=0))
+    moments = [start + (end - start) * count / counts[-1] for count in counts[:-1]] + [end]
+    return [
+        WordTime(text, piece.first + word.first, piece.first + word.last, *times)
+        for text, word, times in zip(texts, group, pairwise(moments), strict=True)
+    ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from facescript.speech.model import PhoneTime
 from facescript.speech.syllables import PREFIX
@@ -60,8 +61,8 @@ class MouthShape:
 def mouth_shapes(phones: Sequence[PhoneTime]) -> tuple[MouthShape, ...]:
     """The shapes of a line in order of time, with room to move between any two."""
     found: list[MouthShape] = []
-    for index, phone in enumerate(phones):
-        after = phones[index + 1] if index + 1 < len(phones) else None
+    for phone, after in pairwise([*_whole_silences(phones), None]):
+        assert phone is not None
         if not phone.symbol:
             found += _rest(phone, after)
         elif phone.symbol.startswith(PREFIX):
@@ -69,6 +70,17 @@ def mouth_shapes(phones: Sequence[PhoneTime]) -> tuple[MouthShape, ...]:
         else:
             found += _sounding(phone, after)
     return arranged(found)
+
+
+def _whole_silences(phones: Sequence[PhoneTime]) -> list[PhoneTime]:
+    """The phones with silences that follow each other made one."""
+    found: list[PhoneTime] = []
+    for phone in phones:
+        if found and not phone.symbol and not found[-1].symbol:
+            found[-1] = replace(found[-1], end=phone.end)
+        else:
+            found.append(phone)
+    return found
 
 
 def arranged(shapes: Sequence[MouthShape]) -> tuple[MouthShape, ...]:

@@ -31,13 +31,20 @@ class Part:
 
 
 def phones(sound: Sound) -> tuple[PhoneTime, ...]:
-    """The phones of an utterance one after another; a switch of language is silence."""
+    """The phones of an utterance one after another, silences whole; a switch of language is silence."""
     starts = [event for event in sound.events if event.kind == "phone"]
     total = len(sound.pcm) / BYTES / RATE
     ends = [event.sample / RATE for event in starts[1:]] + [total]
-    return tuple(
-        _phone(event, min(end, total)) for event, end in zip(starts, ends, strict=True) if end > event.sample / RATE
-    )
+    found: list[PhoneTime] = []
+    for event, end in zip(starts, ends, strict=True):
+        phone = _phone(event, min(end, total))
+        if phone.end <= phone.start:
+            continue
+        if found and not found[-1].symbol and not phone.symbol:
+            found[-1] = replace(found[-1], end=phone.end)
+        else:
+            found.append(phone)
+    return tuple(found)
 
 
 def _phone(event: Heard, end: float) -> PhoneTime:

@@ -1,0 +1,219 @@
+"""The mouth over time: closures that close, at most two shapes, no corner, no state, in step with the sound."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from facescript.ir.acts import Say, Voice
+from facescript.motion.mouth import FALL, RISE, MouthTrack
+from facescript.performance.channels import MOUTH
+from facescript.schedule.score import TimedLine
+from facescript.speech.model import PhoneTime, Spoken
+from facescript.speech.mouthing import DECAY, LEAD
+from facescript.speech.visemes import SHAPES
+from facescript.speech.voicebox import open_voice
+from facescript.text import Source, Span
+
+Floats = NDArray[np.float64]
+HERE = Span(Source("made.face", ""), 0, 0)
+OPEN, WIDE, ROUND = (MOUTH.index(name) for name in ("open", "wide", "round"))
+
+SPEAKS = pytest.mark.skipif(find_spec("espeakng_loader") is None, reason="the package espeakng-loader is not installed")
+
+TEXTS = {
+    "en-us": (
+        "The baby bumped my big map, and Pam mumbled: maybe.",
+        "The city council has voted to close the old harbour bridge.",
+        "My baby plays with apples and bananas all day.",
+    ),
+    "de": ("Mama kauft Äpfel, Bananen und Pampelmusen am Bahnhof.", "Der Stadtrat will die alte Brücke schließen."),
+    "es": ("Mi mamá compra papas en la bodega de Pablo.", "El ayuntamiento ha votado cerrar el viejo puente."),
+}
+
+
+def line(spoken: Spoken, start: float = 1.0, cut: float | None = None) -> TimedLine:
+    return TimedLine("ada", start, spoken, 1.0, HERE, cut=cut)
+
+
+def made(symbols: str, length: float = 0.1, start: float = 1.0, cut: float | None = None) -> TimedLine:
+    """A line of phones of one length; `_` is silence."""
+    phones = [PhoneTime(s.strip("_"), at * length, (at + 1) * length, True) for at, s in enumerate(symbols.split())]
+    return line(Spoken(b"", 22_050, len(phones) * length, (), tuple(phones)), start, cut)
+
+
+def spoken_line(text: str, language: str, rate: float = 1.0) -> TimedLine:
+    return line(open_voice().speak(Say(text, Voice(language, rate=rate))))
+
+
+def channel(track: MouthTrack, index: int, *times: float) -> list[float]:
+    return track.sample(np.array(times))[0][:, index].tolist()
+
+
+@SPEAKS
+@pytest.mark.parametrize("rate", [0.6, 0.8, 1.0, 1.3, 1.6])
+@pytest.mark.parametrize("language", TEXTS)
+def test_lips_are_shut_for_p_b_and_m(language: str, rate: float) -> None:
+    """Bar L3; lips are shut 45 ms before a burst and all through an m."""
+    seen = 0
+    for text in TEXTS[language]:
+        timed = spoken_line(text, language, rate)
+        track = MouthTrack((timed,))
+        for phone in timed.spoken.phones:
+            if phone.symbol[:1] in ("p", "b", "m"):
+                span = (phone.start, phone.end) if phone.symbol[0] == "m" else (phone.start - 0.045, phone.start)
+                gap = track.sample(timed.start + np.linspace(*span, 50)[1:-1])[0][:, OPEN]
+                assert np.all(gap == 0), (text, phone)
+                seen += 1
+    assert seen >= 8
+
+
+@SPEAKS
+@pytest.mark.parametrize("rate", [0.6, 1.0, 1.6])
+def test_vowels_between_closures_open(rate: float) -> None:
+    timed = spoken_line("Papa, Mama, baby, Bob.", "en-us", rate)
+    track = MouthTrack((timed,))
+    for phone in timed.spoken.phones:
+        if phone.symbol[:1] in tuple("ɑaeɛɔoiɪ") and phone.stress:
+            times = timed.start + np.linspace(phone.start, phone.end, 60)
+            assert track.sample(times)[0][:, OPEN].max() > 0.1, phone
+
+
+@SPEAKS
+@pytest.mark.parametrize("language", [*TEXTS, "cmn"])
+def test_mouth_and_sound_are_in_step(language: str) -> None:
+    """Bar L1: over whole lines the opening fits the sound's loudness best at -15 to 45 ms of sound behind mouth."""
+    texts = TEXTS.get(language, ("爸爸妈妈带孩子去公园玩，天气很好。", "市议会投票决定关闭旧桥。"))
+    leads = np.arange(-0.15, 0.2, 0.005)
+    likeness = np.zeros(len(leads))
+    for text in texts:
+        timed = spoken_line(text, language)
+        track = MouthTrack((timed,))
+        times = np.arange(0, timed.spoken.duration, 0.005)
+        loud = standard(loudness(timed.spoken, times))
+        likeness += [float((standard(track.sample(times + 1.0 - lead)[0][:, OPEN]) * loud).mean()) for lead in leads]
+    assert -0.015 <= leads[int(likeness.argmax())] <= 0.045
+
+
+def loudness(spoken: Spoken, times: Floats) -> Floats:
+    power = np.frombuffer(spoken.pcm, "<i2").astype(float) ** 2
+    window = np.hanning(661)
+    smooth = np.convolve(power, window / window.sum(), "same")
+    return np.interp(times, np.arange(len(smooth)) / spoken.rate, smooth) ** 0.25
+
+
+def standard(values: Floats) -> Floats:
+    standardised: Floats = (values - values.mean()) / values.std()
+    return standardised
+
+
+def test_the_mouth_begins_before_the_sound_and_ends_after_it() -> None:
+    track = MouthTrack((made("a"),))
+    assert channel(track, OPEN, 1.0 - LEAD, 1.1 + DECAY + 1e-6) == [0, 0]
+    assert all(value > 0 for value in channel(track, OPEN, 0.97, 1.14))
+    assert channel(MouthTrack((made("u"),)), ROUND, 0.9)[0] > 0.05
+    assert channel(MouthTrack((made("i"),)), ROUND, 0.9)[0] == 0
+
+
+def test_a_consonant_rounds_before_a_rounded_vowel() -> None:
+    rounded, spread = (channel(MouthTrack((made(f"i s {vowel}"),)), ROUND, 1.13)[0] for vowel in ("u", "i"))
+    assert rounded > 0.5
+    assert spread == 0
+
+
+def test_a_shape_is_reached() -> None:
+    track = MouthTrack((made("m a f u"),))
+    for name, time in (("m", 1.05), ("a", 1.14), ("f", 1.22), ("u", 1.35)):
+        assert track.sample(np.array([time]))[0][0] == pytest.approx(SHAPES[name])
+
+
+SYMBOLS = st.sampled_from("_ p b m f t s ʃ a i uː oʊ ə zh:m zh:a zh:i ɹ w".split())
+LINES = st.lists(
+    st.tuples(st.lists(SYMBOLS, min_size=1, max_size=12), st.floats(0.02, 0.3), st.floats(0, 1)), min_size=1, max_size=3
+)
+
+
+def track_of(rows: list[tuple[list[str], float, float]]) -> tuple[MouthTrack, float]:
+    lines, at = [], 0.3
+    for symbols, length, pause in rows:
+        lines.append(made(" ".join(symbols), length, at))
+        at = lines[-1].end + pause
+    return MouthTrack(lines), at
+
+
+@given(LINES)
+def test_at_most_two_shapes_weigh(rows: list[tuple[list[str], float, float]]) -> None:
+    track, end = track_of(rows)
+    times = np.linspace(-0.5, end + 1, 400)
+    first, second, share = track.weights(times)
+    assert np.all((share >= 0) & (share <= 1))
+    assert np.all((second == first + 1) | (share == 0))
+
+
+@given(LINES)
+def test_curves_have_no_jump_and_no_corner(rows: list[tuple[list[str], float, float]]) -> None:
+    track, end = track_of(rows)
+    step = 1e-4
+    times = np.arange(-0.3, end + 0.5, step)
+    mouth, activity = track.sample(times)
+    for curves in (mouth, activity[:, np.newaxis]):
+        speed = np.diff(curves, axis=0) / step
+        assert np.abs(speed).max(initial=0) < 100  # the shortest way, 30 ms, at twice the widest opening
+        assert np.abs(np.diff(speed, axis=0)).max(initial=0) < 2  # a corner would change it by tens at once
+    assert np.all((activity >= 0) & (activity <= 1))
+
+
+@given(LINES)
+def test_any_order_of_times_gives_the_same(rows: list[tuple[list[str], float, float]]) -> None:
+    track, end = track_of(rows)
+    times = np.linspace(-0.5, end + 1, 200)
+    order = np.argsort(np.sin(times * 1e6))
+    whole, activity = track.sample(times)
+    shuffled, shuffled_activity = track.sample(times[order])
+    assert np.array_equal(shuffled, whole[order])
+    assert np.array_equal(shuffled_activity, activity[order])
+    assert np.array_equal(np.vstack([track.sample(times[i : i + 1])[0] for i in range(0, 200, 37)]), whole[::37])
+
+
+def test_a_cut_ends_the_movement() -> None:
+    whole, cut = MouthTrack((made("a i a i a i"),)), MouthTrack((made("a i a i a i", cut=1.25),))
+    assert channel(cut, OPEN, 1.05, 1.15) == channel(whole, OPEN, 1.05, 1.15)
+    assert channel(cut, OPEN, 1.25 + DECAY + 0.01, 1.5) == [0, 0]
+    assert channel(whole, OPEN, 1.5)[0] > 0
+    assert cut.sample(np.array([1.25 + DECAY + FALL + 0.01]))[1][0] == 0
+
+
+def test_activity_is_whole_while_the_mouth_moves() -> None:
+    track = MouthTrack((made("p a"), made("a i", start=5.0)))
+    mouth, activity = track.sample(np.arange(0, 7, 0.001))
+    moving = np.abs(mouth).sum(axis=1) > 0
+    assert np.all(activity[moving] == 1)
+    assert activity[0] == activity[3000] == activity[-1] == 0
+    assert RISE > 0.1
+
+
+def test_a_long_pause_inside_a_line_gives_the_mouth_back() -> None:
+    track = MouthTrack((made("a _ _ _ _ _ _ _ _ _ _ _ _ a"),))
+    assert track.sample(np.array([1.6]))[1][0] == 0
+    short = MouthTrack((made("a _ _ _ a"),))
+    assert short.sample(np.array([1.25]))[1][0] == 1
+
+
+def test_silence_leaves_the_mouth_alone() -> None:
+    for lines in ((), (made("_ _"),), (made("a", cut=1.0),)):
+        mouth, activity = MouthTrack(lines).sample(np.linspace(0, 3, 50))
+        assert not mouth.any()
+        assert not activity.any()
+
+
+def test_shapes_of_a_talk_are_in_order() -> None:
+    lines = [made("p a t ʃ u m", start=0.85 * at) for at in range(40)]
+    track = MouthTrack(lines)
+    assert all(one.off < two.on for one, two in pairwise(track.shapes))
+    assert len(track.shapes) > 200

@@ -1,0 +1,88 @@
+"""Lines to one track: each at its time and volume, cut where it is cut, never beyond full scale."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from facescript.speech.mix import FADE, KNEE, soundtrack
+from facescript.speech.model import Spoken
+
+RATE = 22_050
+
+
+@dataclass(frozen=True)
+class Line:
+    start: float
+    spoken: Spoken
+    volume: float = 1.0
+    cut: float | None = None
+
+
+@dataclass(frozen=True)
+class Lines:
+    lines: tuple[Line, ...]
+    duration: float
+
+
+def tone(level: int, seconds: float = 1.0, rate: int = RATE) -> Spoken:
+    samples = np.full(round(seconds * rate), level, "<i2")
+    return Spoken(samples.tobytes(), rate, seconds, (), ())
+
+
+def track(*lines: Line, duration: float = 3.0) -> np.ndarray:
+    samples, rate = soundtrack(Lines(lines, duration))
+    assert rate == RATE
+    assert samples.dtype == np.int16
+    assert len(samples) == round(duration * RATE)
+    return samples
+
+
+def test_a_line_sounds_at_its_time_and_volume() -> None:
+    samples = track(Line(0.5, tone(1000), 0.7))
+    first, last = np.flatnonzero(samples)[[0, -1]]
+    assert (first, last) == (round(0.5 * RATE), round(1.5 * RATE) - 1)
+    assert set(samples[first:last]) == {700}
+
+
+def test_lines_add() -> None:
+    samples = track(Line(0, tone(1000)), Line(0.5, tone(3000)))
+    assert [int(samples[round(at * RATE)]) for at in (0.2, 0.7, 1.2, 1.7)] == [1000, 4000, 3000, 0]
+
+
+def test_a_cut_line_fades_into_its_cut() -> None:
+    samples = track(Line(0.5, tone(1000), cut=1.0))
+    assert not samples[round(1.0 * RATE) :].any()
+    assert samples[round((1.0 - FADE) * RATE) - 2] == 1000
+    assert np.abs(np.diff(samples[round(0.6 * RATE) :])).max() < 10
+
+
+def test_what_lies_beyond_the_film_is_silent() -> None:
+    assert track(Line(2.5, tone(1000)), Line(5.0, tone(1000))).any()
+    assert not track(Line(-2.0, tone(1000)), Line(0.5, tone(1000), cut=0.5)).any()
+    assert track(Line(-0.5, tone(1000)))[: round(0.5 * RATE)].all()
+    assert len(track(duration=0.0)) == 0
+
+
+def test_another_rate_keeps_its_length() -> None:
+    samples = track(Line(0, tone(1000, rate=16_000)))
+    assert np.flatnonzero(samples)[-1] == pytest.approx(RATE, abs=2)
+
+
+@given(st.lists(st.integers(-32768, 32767), min_size=1, max_size=5), st.floats(0, 4))
+def test_nothing_wraps_around(levels: list[int], volume: float) -> None:
+    samples = track(*(Line(0, tone(level, 0.01), volume) for level in levels), duration=0.01)
+    total = sum(levels) * volume
+    assert np.sign(samples[0]) == np.sign(total) or abs(total) < 1
+    assert abs(int(samples[0])) <= 32767
+    if abs(total) <= KNEE * 32767:
+        assert abs(float(samples[0]) - total) <= 1
+
+
+def test_the_same_score_gives_the_same_bytes() -> None:
+    score = Lines((Line(0.1, tone(20_000)), Line(0.4, tone(20_000), 0.9, 1.1)), 2.0)
+    assert soundtrack(score)[0].tobytes() == soundtrack(score)[0].tobytes()

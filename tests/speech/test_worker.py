@@ -1,0 +1,147 @@
+"""The synthesiser in a program of its own: the same bytes every time, and no fault of it reaches the compiler raw."""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from facescript.speech.espeak import WORKER, Espeak, Utterance
+from facescript.speech.model import VoiceFailure
+
+HELLO = Utterance("Pizzerias are convenient for a quick lunch.", "gmw/en-US+f3")
+
+
+def program(folder: Path, *lines: str) -> Path:
+    """A worker of a test's own."""
+    path = folder / "worker.py"
+    path.write_text("\n".join(lines), "utf-8")
+    return path
+
+
+def answer(head: bytes) -> str:
+    return f"out.write({struct.pack('>I', len(head)) + head + struct.pack('>I', 0)!r}); out.flush()"
+
+
+class TestRealWorker:
+    pytestmark = pytest.mark.usefixtures("synthesiser")
+
+    def test_same_text_gives_the_same_bytes(self) -> None:
+        espeak = Espeak()
+        assert len({espeak.speak(HELLO).pcm for _ in range(20)}) == 1
+        espeak.close()
+
+    def test_another_process_gives_the_same_bytes_and_events(self) -> None:
+        one, two = Espeak(), Espeak()
+        one.speak(Utterance("Something else first.", "gmw/de"))
+        assert one.speak(HELLO) == two.speak(HELLO)
+
+    def test_a_library_loaded_again_gives_the_bytes_of_a_fork(self, tmp_path: Path) -> None:
+        without_fork = program(
+            tmp_path,
+            "import os, runpy",
+            "if hasattr(os, 'fork'): del os.fork",
+            f"runpy.run_path({str(WORKER)!r}, run_name='__main__')",
+        )
+        assert Espeak(without_fork).speak(HELLO) == Espeak().speak(HELLO)
+
+    def test_events_are_words_and_phones_in_order(self) -> None:
+        events = Espeak().speak(Utterance("My cup.", "gmw/en-US")).events
+        assert [(event.kind, event.place, event.symbol) for event in events if event.place < 6] == [
+            ("word", 0, ""),
+            ("phone", 0, "m"),
+            ("phone", 0, "aɪ"),
+            ("word", 3, ""),
+            ("phone", 3, "k"),
+            ("phone", 3, "ˈʌ"),
+            ("phone", 3, "p"),
+        ]
+        assert [event.sample for event in events] == sorted(event.sample for event in events)
+
+    def test_an_unknown_voice_is_a_failure_and_the_worker_goes_on(self) -> None:
+        espeak = Espeak()
+        with pytest.raises(VoiceFailure, match="no voice xx/yy"):
+            espeak.speak(Utterance("Hello.", "xx/yy"))
+        assert espeak.speak(HELLO).pcm
+
+    def test_a_killed_worker_is_started_again(self) -> None:
+        espeak = Espeak()
+        first = espeak.speak(HELLO)
+        assert espeak._process is not None
+        espeak._process.kill()
+        espeak._process.wait()
+        assert espeak.speak(HELLO) == first
+
+    def test_it_ends_with_its_standard_input(self) -> None:
+        process = subprocess.Popen([sys.executable, "-P", str(WORKER)], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        assert process.stdin is not None
+        process.stdin.close()
+        assert process.wait(timeout=10) == 0
+        assert process.stdout is not None
+        process.stdout.close()
+
+    @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+    def test_a_fork_of_the_compiler_has_a_worker_of_its_own(self) -> None:
+        espeak = Espeak()
+        expected = espeak.speak(HELLO).pcm
+        reading, writing = os.pipe()
+        child = os.fork()
+        if child == 0:
+            os.write(writing, b"same" if espeak.speak(HELLO).pcm == expected else b"else")
+            espeak.close()
+            os._exit(0)
+        assert os.read(reading, 4) == b"same"
+        os.waitpid(child, 0)
+        assert espeak.speak(HELLO).pcm == expected
+
+
+def test_a_missing_library_is_told(tmp_path: Path) -> None:
+    without = program(
+        tmp_path,
+        "import runpy, sys",
+        "sys.modules['espeakng_loader'] = None",
+        f"runpy.run_path({str(WORKER)!r}, run_name='__main__')",
+    )
+    with pytest.raises(VoiceFailure, match="cannot be loaded"):
+        Espeak(without).speak(HELLO)
+
+
+def test_a_crash_is_a_failure(tmp_path: Path) -> None:
+    crashing = program(tmp_path, "import os, sys", "sys.stdin.buffer.read(4)", "os.abort()")
+    with pytest.raises(VoiceFailure, match="broke off"):
+        Espeak(crashing).speak(HELLO)
+
+
+def test_a_hang_is_a_failure_and_not_a_hang(tmp_path: Path) -> None:
+    hanging = program(tmp_path, "import time", "time.sleep(60)")
+    begun = time.monotonic()
+    with pytest.raises(VoiceFailure, match=r"did not answer within 0\.5 s"):
+        Espeak(hanging, seconds=0.5).speak(HELLO)
+    assert time.monotonic() - begun < 30
+
+
+@pytest.mark.parametrize(
+    "said", [b"\xff\xff\xff\xff", b"\0\0\0\2{]\0\0\0\0", b"\0\0\0\x10half"], ids=["too long", "no JSON", "cut"]
+)
+def test_nonsense_is_a_failure(tmp_path: Path, said: bytes) -> None:
+    babbling = program(tmp_path, "import sys", f"sys.stdout.buffer.write({said!r})", "sys.stdout.flush()")
+    with pytest.raises(VoiceFailure, match="broke off"):
+        Espeak(babbling).speak(HELLO)
+
+
+def test_a_failure_it_tells_is_passed_on(tmp_path: Path) -> None:
+    head = json.dumps({"failure": "it is hoarse"}).encode()
+    hoarse = program(tmp_path, "import sys", "out = sys.stdout.buffer", answer(head), "sys.stdin.buffer.read()")
+    with pytest.raises(VoiceFailure, match="it is hoarse"):
+        Espeak(hoarse).speak(HELLO)
+
+
+def test_a_text_has_bounds() -> None:
+    with pytest.raises(VoiceFailure, match="200000 characters"):
+        Espeak().speak(Utterance("a" * 200_001, "gmw/en-US"))
