@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from math import hypot, inf
 
 from facescript.ir.acts import GazeManner
@@ -120,8 +121,8 @@ class Shifter:
         if eyes:
             self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target))
         if head:
-            goal = lambda at: head_goal(target(at), share, start)  # noqa: E731
-            self.head.moves.append(Move(times.head_onset, times.head_done, goal))
+            move = Move(times.head_onset, times.head_done, partial(_head_at, target, share, start))
+            self.head.moves.append(move)
         landed = self._landed(times, target) if eyes else times.head_done
         return GazePlan(
             aim=wish.aim,
@@ -222,6 +223,10 @@ def _times(time: float, wish: Wish, amplitude: float, turn: float) -> Times:
         length = wish.over - wait if wish.over is not None else eye
         return Times(time + wait, time + wait + length, time, time + (wish.over or head))
     return Times(time, time + eye, time + lag, time + lag + head)
+
+
+def _head_at(target: Callable[[float], Direction], share: Direction, start: Direction, time: float) -> Direction:
+    return head_goal(target(time), share, start)
 
 
 def _distance(one: Direction, other: Direction) -> float:
