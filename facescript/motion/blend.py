@@ -25,6 +25,9 @@ LID_GAIN = 0.95
 WIDENED, PRESSED = 0.4, 0.5
 """How much an open mouth or jaw that is shown widens those of speech, and pressed lips narrow them."""
 
+TINY = 1e-200
+"""Room where there is none, so that a part of it can be taken."""
+
 
 def soft_limit(value: Floats) -> Floats:
     """Rule 1: contraction within 0..1; the identity from 0 to 0.8, above it 0.8 + 0.2 tanh((x - 0.8) / 0.2)."""
@@ -78,7 +81,7 @@ def add_within(base: Floats, added: Floats, low: float, high: float) -> Floats:
 
     That is the identity up to 0.8 of the room that `base` leaves towards `low` or `high`, bends, and never leaves it.
     """
-    room = np.maximum(np.where(added > 0.0, high - base, base - low), 1e-9)
+    room = np.maximum(np.where(added > 0.0, high - base, base - low), TINY)
     return base + np.sign(added) * room * soft_limit(np.abs(added) / room)
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from math import cos, pi, sin
+from math import cos, inf, pi, sin
 
 from facescript.ir.acts import Glance, Look, Scan
 from facescript.motion.dice import Event
@@ -15,11 +16,11 @@ from facescript.space.main_sequence import head_time, saccade_time
 AWAY = 30.0
 """Deg that a look away goes at most with `avert 100%`."""
 
-SPEAKING, LISTENING = (2.6, 0.8), (5.0, 1.0)
-"""Mean and deviation of the seconds on the partner between looks away (`motion.md` 8; bars C1 and C2)."""
+SPEAKING, LISTENING = (1.8, 0.6), (5.0, 1.0)
+"""Mean and deviation of the seconds on the partner between looks away (chosen for the bars C1 and C2)."""
 
-SPEAKING_AWAY, LISTENING_AWAY = (1.96, 0.32), (1.14, 0.27)
-"""Mean and deviation of the seconds away (Andrist 2013, `motion.md` 8)."""
+SPEAKING_AWAY, LISTENING_AWAY = (2.4, 0.4), (1.14, 0.27)
+"""Mean and deviation of the seconds away (Andrist 2013; when speaking longer than his 1.96 s, for the bar C1)."""
 
 THINKING_BEFORE, THINKING_AFTER = (1.0, 0.25), (1.2, 0.25)
 """Mean and deviation of the seconds that a thoughtful look away starts before speech, and ends after its start."""
@@ -45,9 +46,6 @@ class _Away:
     start: float
     end: float
     thinking: bool
-
-    def meets(self, start: float, end: float) -> bool:
-        return self.start < end + SETTLING and start < self.end + SETTLING
 
 
 def averts(life: Living) -> Iterable[Moved]:
@@ -90,16 +88,17 @@ def _direction(life: Living, item: _Away, reach: float) -> tuple[float, float]:
 
 def _aways(life: Living) -> Iterator[_Away]:
     """All looks away that may be, in time order."""
-    turns = tuple(_turns(life.lines))
-    busy = tuple(_busy(life.acts))
-    thoughts = tuple(item for item in _thoughts(life, turns) if not any(item.meets(*window) for window in busy))
+    turns = Stretches(_turns(life.lines))
+    busy = Stretches(_busy(life.acts))
+    thoughts = tuple(
+        item for item in _thoughts(life, turns) if busy.next(item.start - SETTLING)[0] > item.end + SETTLING
+    )
     held = [(item.start, item.end) for item in thoughts]
-    held += [(max(end - BACK, start), end) for start, end in turns]
-    idle = (item for item in _idle(life, turns) if not any(item.meets(*window) for window in (*busy, *held)))
-    yield from sorted((*thoughts, *idle), key=lambda item: item.start)
+    held += [(max(end - BACK, start + THINKING_AFTER[0]), end) for start, end in turns]
+    yield from sorted((*thoughts, *_idle(life, turns, Stretches((*busy, *held)))), key=lambda item: item.start)
 
 
-def _thoughts(life: Living, turns: Sequence[tuple[float, float]]) -> Iterator[_Away]:
+def _thoughts(life: Living, turns: Stretches) -> Iterator[_Away]:
     clear = life.start
     for index, (turn, _) in enumerate(turns):
         start = turn - life.dice.normal(*THINKING_BEFORE, "think", index, "before")
@@ -109,17 +108,43 @@ def _thoughts(life: Living, turns: Sequence[tuple[float, float]]) -> Iterator[_A
             clear = end + SETTLING
 
 
-def _idle(life: Living, turns: Sequence[tuple[float, float]]) -> Iterator[_Away]:
+def _idle(life: Living, turns: Stretches, closed: Stretches) -> Iterator[_Away]:
+    """Looks away now and then. None begins in a stretch that is `closed`; one that would run into it ends before."""
     time, index = life.start, 0
-    while True:
-        speaking = any(start <= time < end for start, end in turns)
+    while time < life.end:
+        speaking = turns.next(time)[0] <= time
         on, away = (SPEAKING, SPEAKING_AWAY) if speaking else (LISTENING, LISTENING_AWAY)
         start = time + max(SETTLING, life.dice.normal(*on, "avert", index, "on"))
-        time = start + max(SETTLING, life.dice.normal(*away, "avert", index, "away"))
-        if time + SETTLING > life.end:
-            return
-        yield _Away(index, start, time, False)
+        end = start + max(SETTLING, life.dice.normal(*away, "avert", index, "away"))
+        shut, opened = closed.next(start - SETTLING)
+        latest = min(shut, life.end) - SETTLING
+        time = min(end, latest)
+        if end > latest and latest - start < SETTLING:
+            time = max(start, min(opened, life.end))
+        else:
+            yield _Away(index, start, time, False)
         index += 1
+
+
+class Stretches:
+    """Stretches of time that do not overlap, made of some that may: start and end in seconds."""
+
+    def __init__(self, stretches: Iterable[tuple[float, float]]) -> None:
+        self._all: list[tuple[float, float]] = []
+        for start, end in sorted(stretches):
+            if self._all and start <= self._all[-1][1]:
+                self._all[-1] = self._all[-1][0], max(end, self._all[-1][1])
+            else:
+                self._all.append((start, end))
+        self._ends = [end for _, end in self._all]
+
+    def __iter__(self) -> Iterator[tuple[float, float]]:
+        return iter(self._all)
+
+    def next(self, time: float) -> tuple[float, float]:
+        """The first that ends after `time`; one that never comes where there is none."""
+        index = bisect_right(self._ends, time)
+        return self._all[index] if index < len(self._all) else (inf, inf)
 
 
 def _turns(lines: Sequence[TimedLine]) -> Iterator[tuple[float, float]]:
@@ -142,4 +167,4 @@ def _busy(acts: Sequence[TimedAct]) -> Iterator[tuple[float, float]]:
         if isinstance(act.verb, (Glance, Scan)) or (isinstance(act.verb, Look) and act.verb.timing.lasting is not None):
             yield act.start, act.end
         for plan in act.plan:
-            yield plan.eye_onset, max(plan.landed, plan.head_done)
+            yield plan.starts, max(plan.landed, plan.head_done)

@@ -58,15 +58,15 @@ def _spontaneous(life: Living, rate: float) -> Iterator[Event]:
 
 
 def _evoked(life: Living) -> Iterator[Event]:
-    """Blinks that set off with the eyes (bar H11)."""
-    plans = (plan for act in life.acts for plan in act.plan if life.start <= plan.eye_onset < life.end)
+    """Blinks that set off with eyes or head, whichever is first (bar H11)."""
+    plans = (plan for act in life.acts for plan in act.plan if life.start <= plan.starts < life.end)
     clear = life.start
-    for index, plan in enumerate(sorted(plans, key=lambda plan: plan.eye_onset)):
-        if plan.eye_onset < clear or plan.instant:
+    for index, plan in enumerate(sorted(plans, key=lambda plan: plan.starts)):
+        if plan.starts < clear or plan.instant:
             continue
         if life.dice.chance("gaze blink", index, "happens") < evoked_chance(plan.amplitude):
-            clear = plan.eye_onset + _length(life, "gaze blink", index)
-            yield Event(index, plan.eye_onset, clear)
+            clear = plan.starts + _length(life, "gaze blink", index)
+            yield Event(index, plan.starts, clear)
 
 
 def _near(event: Event, other: Event) -> bool:

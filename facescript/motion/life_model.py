@@ -102,3 +102,12 @@ def speech(line: TimedLine) -> Iterator[tuple[float, float]]:
 def pauses(lines: Iterable[TimedLine]) -> Iterator[float]:
     """When speech comes to a pause, seconds: inside the lines and at their ends."""
     return (ended for line in lines for _, ended in speech(line))
+
+
+def accents(lines: Iterable[TimedLine]) -> Iterator[float]:
+    """When stressed phones of speech sound, seconds: the middle of each."""
+    for line in lines:
+        for phone in line.spoken.phones:
+            middle = line.start + (phone.start + phone.end) / 2.0
+            if phone.stress and middle < line.end:
+                yield middle
