@@ -108,10 +108,12 @@ def _rest(before: Sequence[MouthShape], rested: float, on: float, before_on: flo
 
 
 def _in_film(line: TimedLine) -> list[MouthShape]:
-    """A line's shapes at their times; none begins after a cut."""
+    """A line's shapes at their times, from its first sound on; none begins after a cut."""
     limit = line.end
     moved = (replace(s, on=s.on + line.start, off=s.off + line.start) for s in mouth_shapes(line.spoken.phones))
-    return [replace(shape, off=min(shape.off, limit)) for shape in moved if shape.on < limit]
+    kept = [replace(shape, off=min(shape.off, limit)) for shape in moved if shape.on < limit]
+    moving = [index for index, shape in enumerate(kept) if shape.name != "rest"]
+    return kept[moving[0] : moving[-1] + 1] if moving else []
 
 
 def _active(shapes: Sequence[MouthShape]) -> list[tuple[float, float]]:

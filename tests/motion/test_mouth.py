@@ -205,6 +205,12 @@ def test_a_long_pause_inside_a_line_gives_the_mouth_back() -> None:
     assert short.sample(np.array([1.25]))[1][0] == 1
 
 
+def test_silence_at_the_ends_of_a_line_is_rest() -> None:
+    bare, quiet = MouthTrack((made("a"),)), MouthTrack((made("_ _ _ _ _ a _ _ _ _ _", start=0.5),))
+    times = np.linspace(0.5, 2, 100)
+    assert np.allclose(bare.sample(times)[0], quiet.sample(times)[0])
+
+
 def test_silence_leaves_the_mouth_alone() -> None:
     for lines in ((), (made("_ _"),), (made("a", cut=1.0),)):
         mouth, activity = MouthTrack(lines).sample(np.linspace(0, 3, 50))
