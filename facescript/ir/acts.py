@@ -191,10 +191,10 @@ class Do:
     """One act of one face (None: of the scene), with the label an author gave it.
 
     A label is a full name, and a `Mark` bears the same string: `opening.hello` in the scene `opening`, `hello` in a
-    script without scenes, `trials.7.cued` in the seventh pass of the scene's `repeat NAME in ...`, `opening.greet.2.bow`
-    in the second call of the action `greet` there, `when.3.bye` in the third reaction; in a second `repeat` of one
-    scene `trials.repeat2.7.cued`. In the body of a `Repeat` a `*` stands for the pass's number (`opening.*.cued`), one
-    for each `Repeat` around it, outermost first; `in_pass` fills them.
+    script without scenes, `trials.7.cued` in the seventh pass of the scene's `repeat NAME in ...` (of its second such
+    `repeat`: `trials.repeat2.7.cued`), `opening.greet.2.bow` in the second call of the action `greet` there,
+    `when.3.bye` in the third reaction. In the body of a `Repeat` a `*` stands for the pass's number (`opening.*.cued`),
+    one for each `Repeat` around it, outermost first; `in_pass` fills them.
     """
 
     verb: Verb

@@ -15,8 +15,8 @@ from facescript.resolve.suggest import meant
 from facescript.text import Span
 from facescript.world import World
 
-MOST_NODES = 200_000
-"""Statements that a play may have once its actions and repeats are unfolded, each pass counted."""
+MOST_NODES = 100_000
+"""Statements that a play may have once its actions and its repeats over crowds and tables are unfolded."""
 
 MOST_CALLS = 50_000
 """Calls of expressions with parameters that are worked out for one play."""

@@ -30,10 +30,7 @@ def repeat(project: Project, statement: tree.Repeat, place: Place, statements: S
         return _over(project, statement, place, statements)
     times, lasting = _length(project, statement, place)
     labels = _labels(project, statement, place)
-    before = project.weight
     items = statements(project, statement.body, place.within(Scope(place.scope.bindings, labels)))
-    if times is not None:
-        project.spend((project.weight - before) * max(times - 1, 0), statement.how.span)
     body = Sequence(items, statement.span, clock=True)
     return Repeat(body, times, lasting, statement.span)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -16,7 +15,6 @@ from facescript.resolve.checks import check_definitions, check_unused
 from facescript.resolve.definitions import collect, library_names
 from facescript.resolve.faces import default_face, face
 from facescript.resolve.film import film
-from facescript.resolve.lexer import Unreadable, phrases_of
 from facescript.resolve.lives import preset
 from facescript.resolve.marks import check_marks
 from facescript.resolve.project import MOST_NODES, Project, Refused, TooMuch
@@ -25,6 +23,7 @@ from facescript.resolve.suggest import meant
 from facescript.resolve.targets import target
 from facescript.resolve.uses import library, used
 from facescript.syntax import tree
+from facescript.syntax.parser import parse_phrases
 from facescript.text import Source, Span
 from facescript.world import World
 
@@ -38,7 +37,7 @@ def resolve(
 
     `overrides` are values of `let`s by name, as text of the language (`--set NAME=VALUE`).
     """
-    project = Project(world, diagnostics, library_names(library(world)), spoilt=_spoilt(diagnostics))
+    project = Project(world, diagnostics, library_names(library(world)))
     try:
         play = _resolved(project, script, overrides)
     except TooMuch as fault:
@@ -81,7 +80,9 @@ def _has_scenes(script: tree.Script) -> bool:
 
 
 def _define(project: Project, script: tree.Script, overrides: Mapping[str, str]) -> None:
-    for other in used(project, script):
+    others = used(project, script)
+    project.spoilt = script.lost.union(*(other.lost for other in others))
+    for other in others:
         collect(project, other, own=False)
     collect(project, script, own=True)
     for name, text in overrides.items():
@@ -97,14 +98,12 @@ def _override(project: Project, name: str, text: str) -> None:
         clause, _ = meant(name, project.names.known("let"), span)
         project.report("FS232", span, name=name, meant=clause)
         return
-    try:
-        phrases = phrases_of(source, len(name) + 1, len(source.text))
-    except Unreadable as fault:
-        phrases = ()
-        span = fault.args[0]
-    if len(phrases) != 1 or not phrases[0].words:
-        advice = "a value such as `2s`, `40%` or `smile 40%` belongs here"
-        project.report("FS312", span, text=span.text or text, advice=advice)
+    value = Span(source, len(name) + 1, len(source.text))
+    phrases = parse_phrases(value, project.diagnostics)
+    if phrases is None:
+        return
+    if len(phrases) != 1:
+        project.report("FS312", value, text=text, advice="one value such as `2s`, `40%` or `smile 40%` belongs here")
         return
     definition.node = replace(definition.node, value=phrases[0])
 
@@ -157,16 +156,3 @@ def _reactions(project: Project, script: tree.Script, scripted: list[Event]) -> 
             continue
     events.check_reached(project, found, scripted)
     return found
-
-
-_DEFINED = re.compile(r"\b(?:face|target|expression|action|life|let|as)\s+([^\W\d]\w*(?:-[^\W\d]\w*)*)")
-
-
-def _spoilt(diagnostics: Diagnostics) -> frozenset[str]:
-    """Names that lines which could not be read may have defined: they are not called unknown as well."""
-    names: set[str] = set()
-    for item in diagnostics:
-        if item.code.startswith("FS1") and item.span is not None:
-            line, _ = item.span.source.position(item.span.start)
-            names.update(_DEFINED.findall(item.span.source.line(line)))
-    return frozenset(names)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import csv
 import io
 
-from facescript.resolve.lexer import Unreadable, phrases_of
+from facescript.diagnostics.model import Diagnostics
 from facescript.resolve.project import Project
 from facescript.resolve.scope import Row
+from facescript.syntax.parser import parse_phrases
 from facescript.syntax.tree import String, Word
 from facescript.text import Source, Span
 from facescript.world import WorldFailure
@@ -61,10 +62,7 @@ def _words(name: str, cell: str) -> tuple[Word, ...]:
     """A cell as words of the language; what cannot be one is a text."""
     source = Source(name, cell)
     whole = Span(source, 0, len(cell))
-    try:
-        phrases = phrases_of(source, 0, len(cell))
-    except Unreadable:
-        return (String(cell, whole),)
-    if len(phrases) != 1 or not phrases[0].words:
+    phrases = parse_phrases(whole, Diagnostics())
+    if phrases is None or len(phrases) != 1 or not phrases[0].words:
         return (String(cell, whole),)
     return phrases[0].words

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from facescript.ir.acts import Stretch
 from facescript.ir.wording import unspaced
-from facescript.resolve.lexer import Unreadable, phrases_of
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.scope import Scope
 from facescript.resolve.sums import number
 from facescript.resolve.units import TIME
+from facescript.syntax.parser import parse_phrases
 from facescript.syntax.tree import Phrase, String
 from facescript.text import Source, Span
 
@@ -153,7 +153,7 @@ class _TextReader:
         elif content.startswith("wait ") and not content.startswith("wait until "):
             self.pause(source, at, close, span)
         else:
-            inline = Inline(self.words(source, at + 1, close, span), span, self.length)
+            inline = Inline(self.words(source, at + 1, close), span, self.length)
             self.inlines.append(inline)
             self.opened.append(inline)
         return close + 1
@@ -173,22 +173,17 @@ class _TextReader:
         self.opened.append(_Reading(value, span, self.length))
 
     def pause(self, source: Source, at: int, close: int, span: Span) -> None:
-        phrases = self.words(source, at + 1, close, span)
+        phrases = self.words(source, at + 1, close)
         if len(phrases) > 1:
             raise self.project.refuse("FS312", phrases[1].span, text=phrases[1].span.text, advice="a pause is its time")
         seconds = number(self.project, phrases[0].words[1:], self.scope, TIME, span)
         self.stretches.append(Stretch("pause", self.length, self.length, f"{seconds:.10g}"))
 
-    def words(self, source: Source, start: int, end: int, span: Span) -> tuple[Phrase, ...]:
-        try:
-            phrases = phrases_of(source, start, end)
-        except Unreadable as fault:
-            where = fault.args[0]
-            advice = "between brackets stands a sum or a statement"
-            raise self.project.refuse("FS312", where, text=where.text or span.text, advice=advice) from None
-        if not all(phrase.words for phrase in phrases):
-            advice = "between brackets stands a sum or a statement"
-            raise self.project.refuse("FS312", span, text=span.text, advice=advice)
+    def words(self, source: Source, start: int, end: int) -> tuple[Phrase, ...]:
+        """The phrases between two brackets; what cannot be read is reported by the parser."""
+        phrases = parse_phrases(Span(source, start, end), self.project.diagnostics)
+        if phrases is None:
+            raise Refused
         return phrases
 
     def finished(self, span: Span) -> Text:

@@ -271,6 +271,9 @@ NAMES: tuple[Entry, ...] = (
         "There is no `let {name}` to set{meant}",
         'say "Hello."\n',
         'say "Hello."\n',
+        "`--set NAME=VALUE` gives a `let` of the script another value.",
+        stage="command",
+        command=("build", "script.face", "--set", "beat=1s", "-o", "film.json"),
     ),
     Entry(
         "FS233",

@@ -171,8 +171,18 @@ VALUES: tuple[Entry, ...] = (
         "too-much",
         Severity.ERROR,
         "The script unfolds into more than {most} {what}.",
-        "repeat 1000 times:\n    repeat 1000 times:\n        nod\n",
-        "repeat 10 times:\n    repeat 10 times:\n        nod\n",
+        "target all-round of (50cm 10cm 2m) (50cm 10cm 2m) (50cm 10cm 2m) (50cm 10cm 2m) (50cm 10cm 2m) "
+        "(50cm 10cm 2m) (50cm 10cm 2m) (50cm 10cm 2m) (50cm 10cm 2m) (50cm 10cm 2m) \n"
+        "repeat a in all-round:\n"
+        "    repeat b in all-round:\n"
+        "        repeat c in all-round:\n"
+        "            repeat d in all-round:\n"
+        "                repeat e in all-round:\n"
+        "                    look at e\n",
+        "target all-round of (50cm 10cm 2m) (0cm 10cm 2m)\n"
+        "repeat a in all-round:\n"
+        "    repeat b in all-round:\n"
+        "        look at b\n",
     ),
     Entry(
         "FS323",
