@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from facescript.performance.channels import MOUTH
 from facescript.schedule.score import TimedLine
-from facescript.speech.mouthing import DECAY, FOLLOWED, PAUSE, MouthShape, arranged, lead, mouth_shapes
+from facescript.speech.mouthing import DECAY, FOLLOWED, GAP, PAUSE, MouthShape, arranged, lead, mouth_shapes
 from facescript.speech.visemes import SHAPES, Values
 
 Floats = NDArray[np.float64]
@@ -91,14 +91,15 @@ def _with_rests(lines: Sequence[TimedLine]) -> tuple[MouthShape, ...]:
         if not shapes:
             continue
         sounding = [phone for phone in line.spoken.phones if phone.symbol]
-        found += _rest(found, rested, shapes[0].on, lead(sounding[0])) + shapes
+        begins = min(line.start + sounding[0].start - lead(sounding[0]), shapes[0].on - 2 * GAP)
+        found += _rest(found, rested, begins, shapes[0].on) + shapes
         rested = max(min(line.start + sounding[-1].end, line.end), shapes[-1].off) + DECAY
     return arranged([*found, MouthShape("rest", rested, rested)] if found else [])
 
 
-def _rest(before: Sequence[MouthShape], rested: float, on: float, before_on: float) -> list[MouthShape]:
-    """The rest between the shapes `before`, after which the mouth could rest at `rested`, and the next at `on`."""
-    begins = on - before_on
+def _rest(before: Sequence[MouthShape], rested: float, begins: float, on: float) -> list[MouthShape]:
+    """The rest between the shapes `before`, after which the mouth could be still from `rested` on, and the next shape
+    at `on`, for which it begins to move at `begins`."""
     if not before:
         return [MouthShape("rest", begins, begins)]
     if rested <= begins:

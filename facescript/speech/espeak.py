@@ -9,6 +9,7 @@ import struct
 import subprocess
 import sys
 import threading
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import IO, Any
@@ -87,7 +88,8 @@ class Espeak:
             return
         for pipe in (process.stdin, process.stdout):
             if pipe is not None:
-                pipe.close()
+                with suppress(OSError):  # what a dead worker has not read cannot be written any more
+                    pipe.close()
         try:
             process.wait(timeout=2)
         except subprocess.TimeoutExpired:

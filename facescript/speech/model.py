@@ -21,7 +21,12 @@ class WordTime:
 
 @dataclass(frozen=True, slots=True)
 class PhoneTime:
-    """A phoneme (IPA; "" is silence) or, for Mandarin, a syllable's mouth shape; seconds from the line's start."""
+    """A phoneme (IPA; "" is silence), or in Mandarin a syllable's mouth shape; seconds from the line's start.
+
+    A plosive starts at its burst, its closure lies in what is before. A Mandarin shape is `zh:` and its name in the
+    thesis's section 5.2.2 (`zh:a`, `zh:h'`): it is there at `start` and gives way from `end` on, where the next
+    follows at once from `start` on; between shapes there may be time to move.
+    """
 
     symbol: str
     start: float

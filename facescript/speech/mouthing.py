@@ -19,8 +19,8 @@ SLACK = 0.015
 PAUSE = 0.2
 """Seconds of silence in which the mouth goes to rest."""
 
-LEAD, ROUNDED_LEAD = 0.13, 0.18
-"""Seconds from the first movement of the mouth to its first shape, after a pause; rounding is seen earlier."""
+LEAD, ROUNDED_LEAD = 0.12, 0.17
+"""Seconds from the first movement of the mouth to the first sound after a pause; rounding is seen earlier (bar L2)."""
 
 DECAY = 0.13
 """Seconds from the last sound to the mouth at rest (JALI: about 150 ms after)."""
@@ -140,7 +140,7 @@ def _rest(phone: PhoneTime, after: PhoneTime | None) -> list[MouthShape]:
 
 
 def lead(first: PhoneTime | None) -> float:
-    """How long before its first shape the mouth begins to move."""
+    """How long before its first sound the mouth begins to move."""
     found = visemes(first.symbol) if first and first.symbol else ()
     return ROUNDED_LEAD if found and found[0].shape in ("u", "o") else LEAD
 
