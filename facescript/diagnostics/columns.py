@@ -6,7 +6,7 @@ import unicodedata
 
 
 def columns(text: str) -> int:
-    """Columns in a fixed-width font: East Asian wide signs take two, marks that join the sign before them none (UAX 11)."""
+    """Columns in a fixed-width font: wide signs (UAX 11) take two, marks on the sign before none."""
     if text.isascii():
         return len(text)
     return sum(_column(sign) for sign in text)

@@ -28,8 +28,8 @@ def cut(lines: list[Line], faults: Faults) -> list[Block]:
 class _Levels:
     """Gives each line the number of indented blocks it stands in.
 
-    `widths` are the indentations of the blocks open at a line. An indentation between two of them is reported once and
-    taken for the nearer one, the inner one if in doubt; `odd` remembers it, so that the lines beside it are not reported.
+    `widths` are the indentations of the blocks open at a line. An indentation between two of them is
+    reported once and taken for the nearer one, the inner one if in doubt; `odd` remembers it for the lines beside it.
     """
 
     def __init__(self, faults: Faults) -> None:
@@ -71,7 +71,7 @@ class _Levels:
 
 
 def _shallow(lines: list[Line], faults: Faults) -> Iterator[Line]:
-    """The lines without those nested too deep; the first of these stays as a spoilt one, so that no block lacks a body."""
+    """The lines without those nested too deep; the first of these stays, spoilt, so that no block lacks a body."""
     depths = [0]
     dropped: int | None = None
     for line in lines:

@@ -1,4 +1,4 @@
-"""Terminals and rules of the grammar to nodes of the tree, bottom up; the machine calls the method that a rule names."""
+"""Terminals and rules of the grammar to nodes of the tree: the method that a terminal or a rule names."""
 
 from __future__ import annotations
 
@@ -114,8 +114,8 @@ class Builder:
         return int(text[1:])
 
     def word(self, text: str, start: int, end: int) -> str:
-        """A keyword that says which kind of block: `in   turn` is `in turn`."""
-        return " ".join(text.split())
+        """A keyword that says which kind of block."""
+        return text
 
     def group(self, children: list[Any], start: int, end: int) -> tree.Group:
         kind, body = children

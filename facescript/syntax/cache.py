@@ -1,7 +1,7 @@
 """The parse table to and from the user's own cache folder, as JSON; without a usable folder nothing is kept.
 
-A file is believed where it lies in a folder that only the user can write to, is a plain file of the user's, and begins with
-the digest of its key and its text. A key covers all that makes the table: the grammar, Lark, Python, this module.
+A file is believed where it lies in a folder that only the user can write to, is a plain file of the user's, and begins
+with the digest of its key and its text. A key covers all that makes the table: the grammar, Lark, Python, its form.
 """
 
 from __future__ import annotations

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostic, Diagnostics, Edit, Fix
 from facescript.text import Source, Span
@@ -11,20 +13,20 @@ MOST = 200
 
 
 class Faults:
-    """Collects what is wrong with a source; places are offsets in it."""
+    """Collects what is wrong with a source; places are offsets in it. `most` diagnostics are kept, all are counted."""
 
-    def __init__(self, source: Source) -> None:
-        self.source = source
+    def __init__(self, source: Source, most: int = MOST) -> None:
+        self.source, self.most = source, most
         self.found = 0
         self._items: list[Diagnostic] = []
 
     def span(self, start: int, end: int) -> Span:
         return Span(self.source, start, end)
 
-    def add(self, code: str, start: int, end: int, fix: Fix | None = None, **values: object) -> None:
-        """One diagnostic with at most one fix. What comes after `MOST` of them is not made: it would not be read."""
+    def add(self, code: str, start: int, end: int, fix: Fix | None = None, **values: Any) -> None:
+        """One diagnostic with at most one fix. What comes after `most` of them is not made: it would not be read."""
         self.found += 1
-        if self.found <= MOST + 1:
+        if self.found <= self.most + 1:
             fixes = (fix,) if fix else ()
             self._items.append(diagnose(code, self.span(start, end), fixes=fixes, **values))
 
@@ -34,8 +36,8 @@ class Faults:
 
     def pour(self, diagnostics: Diagnostics) -> None:
         """All of them, by place, into the list that every pass appends to."""
-        found = sorted(self._items[:MOST], key=lambda item: item.span.start if item.span else 0)
+        found = sorted(self._items[: self.most], key=lambda item: item.span.start if item.span else 0)
         for item in found:
             diagnostics.add(item)
-        if self.found > MOST:
-            diagnostics.add(diagnose("FS119", self._items[MOST].span, most=MOST))
+        if self.found > self.most:
+            diagnostics.add(diagnose("FS119", self._items[self.most].span, most=self.most))

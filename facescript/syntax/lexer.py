@@ -1,4 +1,4 @@
-"""Text to lines of tokens: indentation, comments and line ends settled, signs that are none of the language's reported."""
+"""Text to lines of tokens: indentation, comments and line ends settled, what is no sign of the language reported."""
 
 from __future__ import annotations
 
@@ -177,7 +177,7 @@ class _Lexer:
         for match in self.pattern.finditer(text):
             kind = str(match.lastgroup)
             start, end = match.span(kind)
-            word = match[kind]
+            word = match[kind] if kind != "IN_TURN" else "in turn"
             if kind == "COMMENT":
                 return tokens, odd, start
             if kind in KINDS:

@@ -95,7 +95,7 @@ def _report_unexpected(place: Place) -> None:
         place.faults.add("FS135", start, end, word=text)
 
 
-# -------------------------------------------------------------------------------------------- what stands in the wrong place
+# ---------------------------------------------------------------------------------------- what stands in the wrong place
 
 
 def _is_outside(place: Place) -> bool:
@@ -144,7 +144,7 @@ def _break(place: Place) -> Token | None:
     return None
 
 
-# -------------------------------------------------------------------------------------------- what is missing
+# ---------------------------------------------------------------------------------------- what is missing
 
 
 def _lacks_colon(place: Place) -> bool:
@@ -260,7 +260,7 @@ def _report_value(place: Place) -> None:
         place.faults.add("FS125", *place.before[2:], where="after", sign=place.before[1])
 
 
-# -------------------------------------------------------------------------------------------- what is too many
+# ---------------------------------------------------------------------------------------- what is too many
 
 
 def _is_colon(place: Place) -> bool:

@@ -13,7 +13,6 @@ from facescript.syntax.mends import mend, report_no_colon
 from facescript.syntax.spacing import Token
 from facescript.syntax.table import table
 
-
 GESTURES = frozenset(("nod", "shake", "blink"))
 """Statements of one word that are no face's name."""
 
@@ -51,7 +50,7 @@ class Reader:
 
 
 class _BlockReader:
-    """`open` says of each level of indentation whether the grammar knows of it: one that opens no block is passed over."""
+    """`open` says of each level of indentation whether the grammar knows of it; one that opens no block is ignored."""
 
     def __init__(self, reader: Reader, machine: Machine) -> None:
         self.lost, self.faults, self.machine = reader.lost, reader.faults, machine

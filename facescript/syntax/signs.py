@@ -1,4 +1,4 @@
-"""Signs in a physical line that no terminal of the grammar begins with, to faults; look-alikes are mended at equal length."""
+"""Signs with which no terminal of the grammar begins, to faults; look-alikes are mended at equal length."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ Odd = tuple[str, int, int]
 
 
 def mend(line: str, begin: int, odd: list[Odd], faults: Faults) -> str | None:
-    """Report what is odd in a line that begins at offset `begin`; the line as meant, or None where that is not known."""
+    """Report what is odd in a line that begins at offset `begin`; the line as meant, None where that is not known."""
     mended = line
     for kind, start, end in odd:
         replaced = _REPORTS[kind](line, start, end, begin, faults)
@@ -79,7 +79,9 @@ def strange_letters(line: str, start: int, end: int) -> list[Odd]:
 
 
 def report_hidden(line: str, begin: int, texts: list[tuple[int, int]], comment: int, faults: Faults) -> bool:
-    """Report what is never drawn; True where it stands in the script itself. Texts may steer their direction, comments join emoji.
+    """Report what is never drawn; True where it stands in the script itself.
+
+    Texts may steer their direction, comments join emoji.
 
     `texts` are start and end of each text in the line, `comment` is where its comment begins, else its length.
     """

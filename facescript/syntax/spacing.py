@@ -1,4 +1,4 @@
-"""Tokens of a line with a space too few or too many, to faults: minus signs, units, decimal commas, words that touch."""
+"""Tokens with a space too few or too many, to faults: minus signs, units, decimal commas, words that touch."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LONGEST_NUMBER = 16
 
 
 def suspect(tokens: list[Token], token: Token) -> bool:
-    """Whether `settle` must look at a line, asked for each token with those before it. Cheap; may say yes for nothing."""
+    """Whether `settle` must look at a line, asked for each token with those before it; cheap, and not always right."""
     kind, text, start, end = token
     if kind in NUMBERS and end - start > LONGEST_NUMBER:
         return True

@@ -1,4 +1,4 @@
-"""The tree of a script: words in phrases, phrases in lines, lines in blocks; what the words mean is resolve's business."""
+"""The tree of a script: words in phrases, phrases in lines, lines in blocks; what words mean is resolve's business."""
 
 from __future__ import annotations
 

@@ -182,7 +182,7 @@ BLOCKS: tuple[Entry, ...] = (
         "This line is indented, but the line above opens no block; indent both alike.",
         "nod 20%\n    blink\n",
         "nod 20%\nblink\n",
-        "A block stands after a colon; texts and `on` below a `say`, settings below a `face`, positions below a `target`.",
+        "A block stands after a colon; texts and `on` below a `say`, settings below a `face`, times below a `target`.",
     ),
     Entry(
         "FS120",

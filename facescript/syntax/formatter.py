@@ -1,0 +1,62 @@
+"""A script to the one layout: commas set by the tree (`commas.py`), then the text laid out (`layout.py`)."""
+
+from __future__ import annotations
+
+from facescript.diagnostics.model import Diagnostics, Edit
+from facescript.syntax.faults import Faults
+from facescript.syntax.layout import lay_out
+from facescript.syntax.parser import read
+from facescript.text import Source
+
+ROUNDS = 20
+"""How often commas are set; a round sets all whose places do not overlap, so that two or three do."""
+
+
+def format_source(source: Source) -> str:
+    """The text in the one layout; unchanged where it has errors. The layout of a layout is itself.
+
+    - Four spaces for each block; a line that goes on is indented by four more, by eight where a block stands below it.
+    - One space between words, around `=` and operators and after `,` and `:`; none inside brackets.
+    - Direct modifiers without a comma, others with one, `as` last.
+    - Lines stay broken where their author broke them; one of more than 100 columns is broken after a comma or `+`.
+    - One blank line at most, none at the start and the end of the file.
+    - A comment stands with the line below it, or in the block it was indented for; comments at the ends of lines in a
+      row stand below each other. Positions of a moving target stand in columns.
+    """
+    text = source.text
+    for _ in range(ROUNDS):
+        diagnostics = Diagnostics()
+        current = Source(source.name, text)
+        faults = Faults(current, most=len(text))
+        read(current, faults)
+        faults.pour(diagnostics)
+        if diagnostics.failed:
+            return source.text
+        edits = _edits(diagnostics)
+        if not edits:
+            break
+        text = _edited(text, edits)
+    return lay_out(Source(source.name, text))
+
+
+def _edits(diagnostics: Diagnostics) -> list[Edit]:
+    """The edits of all fixes that touch no other's, by place."""
+    chosen: list[Edit] = []
+    for item in diagnostics:
+        edits = [edit for fix in item.fixes for edit in fix.edits]
+        if not any(_touch(edit, other) for edit in edits for other in chosen[-4:]):
+            chosen += edits
+    return sorted(chosen, key=lambda edit: edit.span.start)
+
+
+def _touch(one: Edit, other: Edit) -> bool:
+    return one.span.start <= other.span.end and other.span.start <= one.span.end
+
+
+def _edited(text: str, edits: list[Edit]) -> str:
+    parts: list[str] = []
+    place = 0
+    for edit in edits:
+        parts += text[place : edit.span.start], edit.text
+        place = edit.span.end
+    return "".join(parts) + text[place:]
