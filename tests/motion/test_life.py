@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from bars import bar
@@ -209,6 +211,23 @@ def test_a_knob_of_the_announcer_is_heeded() -> None:
 def test_every_knob_moves_something_and_its_zero_nothing(knob: str, value: float, moved: str) -> None:
     assert len(set(lived(life(**{knob: value}), 60.0)[moved])) > 2
     assert len(set(lived(life(**{knob: 0.0}), 60.0)[moved])) == 1
+
+
+def test_brow_raises_in_speech_peak_just_before_an_accent() -> None:
+    sung = accented(talk(1.0, 590.0), every=8)
+    accents = np.array([1.0 + (phone.start + phone.end) / 2 for phone in sung.spoken.phones if phone.stress])
+    brow = lived(life(brows=12.0), lines=(sung,), rate=200.0)["brow.inner.left"]
+    peaks = [start + np.argmax(brow[round(start * 200) : round(end * 200)]) / 200 for start, end in
+             stretches(brow > 0.01, 200.0)]  # fmt: skip
+    leads = [1000.0 * (accents - peak)[np.abs(accents - peak - 0.06).argmin()] for peak in peaks]
+    assert bar("L4", "median")[0] <= np.median(leads) <= bar("L4", "median")[1]
+    assert np.mean(np.abs(np.array(leads) - 60.0) < 10.0) > 0.8
+
+
+def accented(spoken: TimedLine, every: int) -> TimedLine:
+    """The line with the stress on one phone in `every`."""
+    phones = tuple(replace(phone, stress=index % every == 3) for index, phone in enumerate(spoken.spoken.phones))
+    return replace(spoken, spoken=replace(spoken.spoken, phones=phones))
 
 
 def test_nods_need_speech_and_grow_with_their_knob() -> None:
