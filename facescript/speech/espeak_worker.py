@@ -12,8 +12,9 @@ An answer is a frame of JSON and a frame of sound (16-bit little-endian mono, em
     {"rate": Hz, "events": [["word"|"phone", sample, character from 0, IPA], ...]}
     {"failure": sentence}
 
-espeak-ng carries noise from one utterance into the next, so each gets a library that has not spoken: a fork of this
-process where there is fork, else the library is loaded again. A watchdog ends an utterance that hangs. The program
+espeak-ng seeds the noise in its voice with the time and carries it from one utterance into the next, so the seed is set
+and each utterance gets a library that has not spoken: a fork of this process where there is fork, else the library is
+loaded again. A watchdog ends an utterance that hangs. The program
 ends with its standard input.
 """
 
@@ -38,6 +39,9 @@ RATE, VOLUME, PITCH = 1, 2, 3
 BY_CHARACTER, UTF8, SSML, PHONEMES = 1, 0x1, 0x10, 0x100
 ENDED, WORD, PHONE = 0, 1, 7
 LONGEST_REQUEST = 1 << 22
+SEED = 1
+"""Of the breath in the voice: espeak-ng seeds itself with the time of day."""
+
 SECONDS = 30.0
 """An utterance that takes longer is broken off."""
 
@@ -89,6 +93,7 @@ class Espeak:
         self.rate = self.library.espeak_Initialize(SYNCHRONOUS, 0, data, PHONEME_EVENTS | PHONEMES_AS_IPA)
         if self.rate <= 0:
             raise OSError("espeak-ng cannot read its data")
+        self.library.espeak_ng_SetRandSeed(ctypes.c_long(SEED))
         self.sound = bytearray()
         self.events: list[tuple[str, int, int, str]] = []
         self.callback = CALLBACK(self.heard)

@@ -74,6 +74,12 @@ class TestSpoken:
             "n",
         ]
 
+    def test_a_comma_is_a_silence(self, synthesiser: None) -> None:
+        phones = open_voice().speak(line("你好，你好。", "cmn")).phones
+        silences = [phone.end - phone.start for phone in phones if not phone.symbol]
+        assert len(silences) == 1
+        assert silences[0] > 0.1
+
     def test_tones_are_heard(self, synthesiser: None) -> None:
         readings = ("ma1", "ma2", "ma3", "ma4", "ma5")
         heard = {open_voice().speak(line("马", "cmn", Stretch("reading", 0, 1, read))).pcm for read in readings}

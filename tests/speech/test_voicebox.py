@@ -105,6 +105,13 @@ def test_stress_lengthens_its_word() -> None:
     assert lengths[1] > lengths[0]
 
 
+def test_signs_of_markup_are_text_beside_a_stress() -> None:
+    text = "Fish & <b> chips"
+    spoken = say(text, "en-us", over(text, "chips", "stress"))
+    assert words_of(spoken) == "Fish b chips"
+    assert phones_of(spoken).replace("_ ", "").startswith("f ˈɪ ʃ æ n d")
+
+
 def test_a_reading_in_ipa_is_spoken() -> None:
     text = "I say xyzzy now & then"
     spoken = say(text, "en-us", over(text, "xyzzy", "reading", "/həˈloʊ/"), over(text, "xyzzy", "stress"))

@@ -42,6 +42,11 @@ class TestRealWorker:
         one.speak(Utterance("Something else first.", "gmw/de"))
         assert one.speak(HELLO) == two.speak(HELLO)
 
+    def test_another_second_gives_the_same_bytes(self) -> None:
+        first = Espeak().speak(HELLO)
+        time.sleep(1.1)  # the library would seed itself with the time, in seconds
+        assert Espeak().speak(HELLO) == first
+
     def test_a_library_loaded_again_gives_the_bytes_of_a_fork(self, tmp_path: Path) -> None:
         without_fork = program(
             tmp_path,
