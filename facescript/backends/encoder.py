@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import threading
 from collections.abc import Sequence
@@ -76,7 +77,7 @@ class Encoder:
     def _listen(self) -> None:
         """The listening thread: keeps ffmpeg's last words."""
         assert self._process.stderr is not None
-        while words := self._process.stderr.read1(LAST_WORDS):
+        while words := os.read(self._process.stderr.fileno(), LAST_WORDS):
             self._words = (self._words + words)[-LAST_WORDS:]
 
     def _fail(self) -> None:

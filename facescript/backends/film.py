@@ -22,7 +22,7 @@ COLOURS = ("-vf", "setparams=range=tv:colorspace=bt709:color_primaries=bt709:col
 """What the planes are (`canvas.planes`)."""
 
 MP4 = (
-    *("-c:v", "libx264", "-preset", "veryfast", "-crf", "20", "-threads", "3"),
+    *("-c:v", "libx264", "-preset", "veryfast", "-crf", "20", "-threads", "6"),
     *("-c:a", "aac", "-b:a", "128k", "-movflags", "+faststart", "-f", "mp4"),
 )
 """A fixed number of threads: x264's output depends on it."""

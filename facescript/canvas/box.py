@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+Kind = TypeVar("Kind", bound=np.generic)
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +29,7 @@ class Box:
         right, bottom = min(self.right, other.right), min(self.bottom, other.bottom)
         return Box(left, top, max(left, right), max(top, bottom))
 
-    def of(self, pixels: NDArray[np.uint32]) -> NDArray[np.uint32]:
+    def of(self, pixels: NDArray[Kind]) -> NDArray[Kind]:
         """The part of an image array[y, x] inside the box."""
         return pixels[self.top : self.bottom, self.left : self.right]
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import groupby
 
 import numpy as np
 from numpy.typing import NDArray
 
 from facescript.canvas.box import NOWHERE, Box
-from facescript.canvas.thorvg import Outline
+from facescript.canvas.thorvg import Clipped, Outline
 from facescript.rig.picture import Shape
 
 Floats = NDArray[np.float64]
@@ -21,28 +22,28 @@ GRID = 64.0
 class Outlines:
     """The outlines of a list of shapes and what they were in the last frame taken.
 
-    `paints` are in the shapes' order. A shape with clips is drawn inside the union of their outlines.
+    A shape with clips is drawn inside the union of their outlines.
     """
 
     def __init__(self, shapes: Sequence[Shape]) -> None:
         rows = [_rows(shape) for shape in shapes]
-        self._order = np.concatenate(rows) if rows else np.zeros(0, dtype=np.intp)
-        ends = np.cumsum([len(each) for each in rows], dtype=np.intp)
-        self._starts = np.concatenate([[0], ends[:-1]]).astype(np.intp)[: len(shapes)]
-        self._slices = [slice(int(end) - len(each), int(end)) for each, end in zip(rows, ends, strict=True)]
+        self._order = np.concatenate([np.zeros(0, dtype=np.intp), *rows])
+        self._ends = np.cumsum([len(each) for each in rows], dtype=np.intp)
+        self._starts = self._ends - np.array([len(each) for each in rows], dtype=np.intp)
+        self._shapes = [Outline(_lengths([shape]), shape.fill) for shape in shapes]
         place = {shape.id: number for number, shape in enumerate(shapes)}
-        self._clips = [[place[name] for name in shape.clip] for shape in shapes]
-        self._clip_paints = [_clip([shapes[number] for number in clips]) for clips in self._clips]
-        self.paints = [
-            Outline(_lengths([shape]), shape.fill, clip) for shape, clip in zip(shapes, self._clip_paints, strict=True)
-        ]
-        self._reach = _reach(self._clips)
+        self._reach = _reach([[place[name] for name in shape.clip] for shape in shapes])
+        self._groups = [_Group(members, [place[name] for name in clip], shapes) for clip, members in _runs(shapes)]
         self._points = np.full((len(self._order), 2), np.nan, dtype=np.float32)
         self._levels = np.zeros(len(shapes), dtype=np.int64)
         self._stale = np.ones(len(shapes), dtype=bool)
         self._low = np.zeros((len(shapes), 2), dtype=np.float32)
         self._high = np.zeros((len(shapes), 2), dtype=np.float32)
         self._before = self._low, self._high, self._levels
+
+    def paints(self) -> list[tuple[range, Outline | Clipped]]:
+        """What a canvas draws, in order, and which shapes each paint holds: neighbours with one clip go together."""
+        return [(group.members, group.paint(self._shapes)) for group in self._groups]
 
     def take(self, points: Floats, opacity: Floats) -> Bools:
         """Take a frame, points array[point, 2] in px and opacity array[shape]; which shapes look other than before."""
@@ -83,14 +84,43 @@ class Outlines:
     def _push(self, shaded: Bools) -> None:
         """Give ThorVG what it needs to draw the visible shapes."""
         due = self._stale & (self._levels > 0)
+        for group in self._groups:
+            if group.clip is not None and due[group.members].any():
+                union = np.concatenate([self._points[self._starts[n] : self._ends[n]] for n in group.clips])
+                group.clip.shape(union.ctypes.data)
+        address, step = self._points.ctypes.data, self._points.strides[0]
+        starts = (address + step * self._starts).tolist()
         for number in np.flatnonzero(due).tolist():
-            clip = self._clip_paints[number]
-            if clip is not None:
-                clip.shape(np.concatenate([self._points[self._slices[other]] for other in self._clips[number]]))
-            self.paints[number].shape(self._points[self._slices[number]])
+            self._shapes[number].shape(starts[number])
         self._stale &= ~due
         for number in np.flatnonzero(shaded).tolist():
-            self.paints[number].shade(int(self._levels[number]))
+            self._shapes[number].shade(int(self._levels[number]))
+
+
+class _Group:
+    """Neighbouring shapes with the same clip, which ThorVG then needs to work out once."""
+
+    def __init__(self, members: range, clips: Sequence[int], shapes: Sequence[Shape]) -> None:
+        self.members = members
+        self.clips = clips
+        self.clip = Outline(_lengths([shapes[number] for number in clips]), "#000000") if clips else None
+
+    def paint(self, outlines: Sequence[Outline]) -> Outline | Clipped:
+        own = outlines[self.members.start : self.members.stop]
+        return Clipped(self.clip, own) if self.clip is not None else own[0]
+
+
+def _runs(shapes: Sequence[Shape]) -> Iterator[tuple[tuple[str, ...], range]]:
+    """Runs of shapes that are drawn as one: those with the same clip and the same `moving`, others alone."""
+    at = 0
+    for (clip, _, _), run in groupby(enumerate(shapes), lambda item: _kin(*item)):
+        count = len(list(run))
+        yield clip, range(at, at + count)
+        at += count
+
+
+def _kin(number: int, shape: Shape) -> tuple[tuple[str, ...], bool, int]:
+    return shape.clip, shape.moving, -1 if shape.clip else number
 
 
 def _rows(shape: Shape) -> NDArray[np.intp]:
@@ -100,10 +130,6 @@ def _rows(shape: Shape) -> NDArray[np.intp]:
 
 def _lengths(shapes: Sequence[Shape]) -> list[int]:
     return [contour.count for shape in shapes for contour in shape.contours]
-
-
-def _clip(shapes: Sequence[Shape]) -> Outline | None:
-    return Outline(_lengths(shapes), "#000000") if shapes else None
 
 
 def _reach(clips: Sequence[Sequence[int]]) -> Bools:

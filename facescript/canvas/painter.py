@@ -31,9 +31,9 @@ class Painter:
         self._drawn = NOWHERE
         self._outlines = Outlines(shapes)
         self._still = next((place for place, shape in enumerate(shapes) if shape.moving), len(shapes))
-        paints = self._outlines.paints
-        self._under = Canvas(self._base, paints[: self._still])
-        self._over = Canvas(self.pixels, paints[self._still :])
+        paints = self._outlines.paints()
+        self._under = Canvas(self._base, [paint for members, paint in paints if members.start < self._still])
+        self._over = Canvas(self.pixels, [paint for members, paint in paints if members.start >= self._still])
 
     def draw(self, points: Floats, opacity: Floats, ground: Pixels) -> Box:
         """Draw a frame into `pixels`: points array[point, 2] in px, opacity array[shape], over `ground` (same size).

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from facescript.canvas.box import Box
 
-TILE = 32768
-"""Pixels converted at once: the steps between stay in the processor's nearest cache."""
+TILE = 65536
+"""Pixels converted at once: the steps between stay in the processor's own cache."""
 
 LUMA = (47, 157, 16)
 """R, G, B in 1/256 for Y' of 16..235 (ITU-R BT.709, limited range)."""
@@ -77,7 +77,7 @@ def _chroma(red_blue: NDArray[np.uint32], green: NDArray[np.uint32]) -> tuple[ND
 
 
 def _summed(values: NDArray[np.uint32]) -> NDArray[np.uint32]:
-    """Sums over squares of two by two."""
-    rows = values[0::2] + values[1::2]
-    summed: NDArray[np.uint32] = rows[:, 0::2] + rows[:, 1::2]
-    return summed
+    """Sums over squares of two by two. Neighbours are added as the halves of one number of 64 bits."""
+    pairs = (values[0::2] + values[1::2]).view(np.uint64)
+    pairs += pairs >> np.uint64(32)
+    return pairs.astype(np.uint32)

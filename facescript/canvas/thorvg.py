@@ -35,6 +35,7 @@ class _Matrix(ctypes.Structure):
 
 CREATORS: dict[str, list[Any]] = {
     "tvg_swcanvas_create": [c_uint8],
+    "tvg_scene_new": [],
     "tvg_shape_new": [],
     "tvg_linear_gradient_new": [],
     "tvg_radial_gradient_new": [],
@@ -48,6 +49,7 @@ CALLS: dict[str, list[Any]] = {
     "tvg_canvas_update": [c_void_p],
     "tvg_canvas_draw": [c_void_p, c_bool],
     "tvg_canvas_sync": [c_void_p],
+    "tvg_scene_add": [c_void_p, c_void_p],
     "tvg_swcanvas_set_target": [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_int],
     "tvg_shape_reset": [c_void_p],
     "tvg_shape_append_path": [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32],
@@ -89,24 +91,23 @@ def _checked(result: int, call: Any, arguments: Any) -> int:
 
 
 class Outline:
-    """One filled path: a fixed list of contours, its fill, an optional clip of the same kind."""
+    """One filled path: a fixed list of contours and its fill."""
 
-    def __init__(self, lengths: Sequence[int], fill: Paint, clip: Outline | None = None) -> None:
+    def __init__(self, lengths: Sequence[int], fill: Paint) -> None:
         """`lengths` are the contours' point counts, each 1 + 3 * segments."""
         self._lib = library()
         self.paint = self._lib.tvg_shape_new()
         commands = [[MOVE, *[CUBIC] * ((length - 1) // 3), CLOSE] for length in lengths]
-        self._commands = np.array([command for contour in commands for command in contour], dtype=np.uint8)
+        self._kept = np.array([command for contour in commands for command in contour], dtype=np.uint8)
+        self._commands = self._kept.ctypes.data, len(self._kept)
+        self._count = sum(lengths)
         self._gradient = self._filled(fill)
-        if clip is not None:
-            self._lib.tvg_paint_set_clip(self.paint, clip.paint)
 
-    def shape(self, points: NDArray[np.float32]) -> None:
-        """Take a new outline: array[point, 2] in px, contour after contour, contiguous. Its gradient follows."""
+    def shape(self, address: int) -> None:
+        """Take a new outline, pairs of 32-bit floats in px, contour after contour. Its gradient follows."""
         lib = self._lib
         lib.tvg_shape_reset(self.paint)
-        address, count = points.ctypes.data, len(points)
-        lib.tvg_shape_append_path(self.paint, self._commands.ctypes.data, len(self._commands), address, count)
+        lib.tvg_shape_append_path(self.paint, *self._commands, address, self._count)
         if self._gradient is not None:
             lib.tvg_gradient_set_transform(self._gradient, self._box())
             lib.tvg_shape_set_gradient(self.paint, self._gradient)
@@ -140,22 +141,33 @@ class Outline:
         return _Matrix(max(width.value, thin), 0, x.value, 0, max(height.value, thin), y.value, 0, 0, 1)
 
 
-class Canvas:
-    """Outlines drawn in their order onto pixels that the caller owns: array[y, x] of 0xAARRGGBB, opaque."""
+class Clipped:
+    """Outlines drawn inside the outline of another."""
 
-    def __init__(self, pixels: NDArray[np.uint32], outlines: Sequence[Outline]) -> None:
+    def __init__(self, clip: Outline, outlines: Sequence[Outline]) -> None:
+        lib = library()
+        self.paint = lib.tvg_scene_new()
+        for outline in outlines:
+            lib.tvg_scene_add(self.paint, outline.paint)
+        lib.tvg_paint_set_clip(self.paint, clip.paint)
+
+
+class Canvas:
+    """Paints drawn in their order onto pixels that the caller owns: array[y, x] of 0xAARRGGBB, opaque."""
+
+    def __init__(self, pixels: NDArray[np.uint32], paints: Sequence[Outline | Clipped]) -> None:
         self._lib = library()
         self._pixels = pixels
         self._canvas = self._lib.tvg_swcanvas_create(NO_PARTIAL_RENDERING)
         self._release = weakref.finalize(self, self._lib.tvg_canvas_destroy, self._canvas)
         height, width = pixels.shape
         self._lib.tvg_swcanvas_set_target(self._canvas, pixels.ctypes.data, width, width, height, ARGB_PREMULTIPLIED)
-        self._empty = not outlines
-        for outline in outlines:
-            self._lib.tvg_canvas_add(self._canvas, outline.paint)
+        self._empty = not paints
+        for paint in paints:
+            self._lib.tvg_canvas_add(self._canvas, paint.paint)
 
     def draw(self) -> None:
-        """Draw all outlines over what the pixels hold."""
+        """Draw all paints over what the pixels hold."""
         if self._empty:
             return
         self._lib.tvg_canvas_update(self._canvas)

@@ -51,13 +51,13 @@ class Actor:
         return bool((low <= near).all() and (high >= np.array(self._rig.box) - near).all())
 
     def _hung(self, rest: Floats, film: Film) -> Floats:
-        """How much lower each point hangs than drawn: a bust cut off by its box goes down to the film's edge."""
-        bottom = self._standing.top + self._rig.box[1] * self._standing.scale
-        cut = rest[:, 1] >= self._rig.box[1] - 0.5
+        """How much lower each point hangs than drawn: a bust that is cut off goes down to the film's edge."""
+        own = np.zeros(len(rest), dtype=bool)
         for shape in self.shapes:
-            if shape.group == BACKDROP:
-                cut[_rows(shape)] = False
-        return np.where(cut, max(0.0, film.height - bottom), 0.0)
+            own[_rows(shape)] |= shape.group != BACKDROP
+        lowest = float(rest[own, 1].max(initial=self._rig.box[1]))
+        bottom = self._standing.top + lowest * self._standing.scale
+        return np.where(own & (rest[:, 1] >= lowest - 0.5), max(0.0, film.height - bottom), 0.0)
 
 
 def moved(shapes: Sequence[Shape], first: int, prefix: str, moving: bool) -> list[Shape]:

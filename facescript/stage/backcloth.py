@@ -56,9 +56,9 @@ class Backcloth:
         pixels = np.full((self._height, self._width), 0xFFFFFFFF, dtype=np.uint32)
         right, bottom = float(self._width), float(self._height)
         corners = np.array([(0, 0), (right, 0), (right, bottom), (0, bottom)], dtype=np.float32)
-        around = np.repeat(np.concatenate([corners, corners[:1]]), 3, axis=0)[1:-1]
+        around = np.ascontiguousarray(np.repeat(np.concatenate([corners, corners[:1]]), 3, axis=0)[1:-1])
         outline = Outline([len(around)], paint)
-        outline.shape(np.ascontiguousarray(around))
+        outline.shape(around.ctypes.data)
         Canvas(pixels, [outline]).draw()
         return pixels
 

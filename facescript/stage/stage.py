@@ -91,4 +91,5 @@ class Stage:
         if not self._camera.moves:
             return points
         views = np.array([self._camera.at(time) for time in times.tolist()])
-        return points * views[:, None, :1] + views[:, None, 1:]
+        seen: Floats = points * views[:, None, :1] + views[:, None, 1:]
+        return seen
