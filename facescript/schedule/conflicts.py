@@ -16,8 +16,8 @@ from facescript.schedule.steps import NEVER, SETTLED, START, Step
 
 
 def lines_together(sounds: Iterable[Sounding], faults: Faults) -> None:
-    """Report lines of a face that overlap. Where only an estimate says so it is a warning."""
-    for row in _by_face((sound.face, sound.start, sound) for sound in sounds):
+    """Report lines of a face that overlap in one scene or reaction. Where only an estimate says so it is a warning."""
+    for row in _by_face(((sound.face, id(sound.step.root)), sound.start, sound) for sound in sounds):
         before = row[0]
         for sound in row[1:]:
             if sound.start < before.end - CLOSE:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import Literal
 
 from facescript.schedule.steps import Key
@@ -12,7 +15,8 @@ from facescript.schedule.steps import Key
 class Hold:
     """A reaction has a face's voice from `start` to `end`, when all in it has settled.
 
-    Lines of a lower rank that sound at `start` break off, and are begun again at `end`, `gap` seconds later.
+    Lines of a lower rank that sound at `start` break off, and are begun again at `end`, `gap` seconds later. For
+    `delay` seconds the reaction waited for the end of a word; where it waits longer, its end is expected as much later.
     """
 
     face: str
@@ -20,6 +24,7 @@ class Hold:
     start: float
     end: float
     gap: float
+    delay: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +35,26 @@ class Control:
     kind: Literal["stop", "restart"]
 
 
+class Holds:
+    """The holds of each face in the order they start."""
+
+    def __init__(self, holds: tuple[Hold, ...] = ()) -> None:
+        self.all = holds
+        self._rows: dict[str, list[Hold]] = {}
+        self._longest = max((hold.end + hold.gap - hold.start for hold in holds), default=0.0)
+        for hold in holds:
+            self._rows.setdefault(hold.face, []).append(hold)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Holds) and self.all == other.all
+
+    def after(self, face: str, time: float, rank: int) -> Iterator[Hold]:
+        """The holds of a face that are not over before a time, by reactions of a higher rank."""
+        row = self._rows.get(face, [])
+        first = bisect_left(row, time - self._longest, key=lambda hold: hold.start)
+        return (hold for hold in islice(row, first, None) if hold.rank > rank)
+
+
 @dataclass(slots=True)
 class Facts:
     """`looks` are the seconds until the eyes are there, by step; `delays` the earliest starts of lines that wait for
@@ -37,6 +62,6 @@ class Facts:
 
     looks: dict[Key, float] = field(default_factory=dict)
     delays: dict[Key, float] = field(default_factory=dict)
-    holds: tuple[Hold, ...] = ()
+    holds: Holds = field(default_factory=Holds)
     scenes: tuple[float, ...] = (0.0,)
     until: float = 0.0

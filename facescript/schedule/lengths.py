@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from facescript.ir.acts import (
@@ -69,19 +70,26 @@ def ended(verb: Verb, made: Verb, start: float, until: float) -> Verb:
     return replace(made, timing=replace(made.timing, lasting=length))
 
 
-def sayings(start: float, spoken: Spoken, rank: int, holds: tuple[Hold, ...]) -> tuple[tuple[float, float | None], ...]:
+def sayings(
+    start: float, spoken: Spoken, limit: float, holds: Iterable[Hold]
+) -> tuple[tuple[float, float | None], ...]:
     """The starts and cuts of a line that is due at `start`, while later reactions take its face's voice.
 
     A line that sounds when a reaction begins to speak breaks off at the end of its word; it is begun again when that
-    reaction has settled, and so is a line that is due in between. `holds` are of the face, in the order they start.
+    reaction has settled, and so is a line that is due in between. A line whose last word is over is not broken off.
+    `holds` are those of the face, in the order they start; from `limit` on nothing starts.
     """
     broken = []
+    voiced = spoken.words[-1].end if spoken.words else spoken.duration
     for hold in holds:
-        if hold.rank <= rank or hold.end <= start:
+        if hold.end <= start:
             continue
-        if start + spoken.duration <= hold.start:
+        if start + voiced <= hold.start or start >= limit:
             break
+        end = hold.end
         if start < hold.start:
-            broken.append((start, start + word_end(spoken, hold.start - start)))
-        start = hold.end + hold.gap
+            cut = start + word_end(spoken, hold.start - start)
+            broken.append((start, cut))
+            end += cut - hold.start - hold.delay
+        start = end + hold.gap
     return (*broken, (start, None))

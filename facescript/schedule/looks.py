@@ -16,7 +16,7 @@ from facescript.schedule.steps import NEVER, Key
 from facescript.space.plan import GazePlan
 from facescript.space.planner import GazeRequest, plan_gaze, scan_stops
 
-GRAIN = 6
+GRAIN = 4
 """Decimals of a look's length: times that differ by less are the same, so that rounds come to rest."""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -9,11 +10,11 @@ from facescript.ir.acts import Do, Say
 from facescript.ir.play import Play
 from facescript.schedule.deeds import Deed, Sounding, deeds, soundings
 from facescript.schedule.events import Trigger, roots
-from facescript.schedule.facts import Control, Hold
+from facescript.schedule.facts import Control, Hold, Holds
 from facescript.schedule.lengths import PAUSE
 from facescript.schedule.rules import Times
 from facescript.schedule.solver import Solver
-from facescript.schedule.steps import DONE, NEVER, Key, Maker, Root, Step, ends_in_line
+from facescript.schedule.steps import DONE, NEVER, START, Key, Maker, Root, Step, ends_in_line
 from facescript.schedule.voices import word_end
 
 
@@ -28,13 +29,15 @@ class Played:
 
 @dataclass(slots=True)
 class Round:
-    """All the trees of a play, solved. `stopped` films live on after their last scene."""
+    """All the trees of a play, solved. `first` is which scene played was the first run of one of the play's; a
+    `stopped` film lives on after its last scene."""
 
     play: Play
     times: Times
     maker: Maker
     long: float
     scenes: list[Played] = field(default_factory=list)
+    first: dict[int, int] = field(default_factory=dict)
     reactions: list[Root] = field(default_factory=list)
     unplayed: list[tuple[int, float]] = field(default_factory=list)
     stopped: bool = False
@@ -88,8 +91,8 @@ class Round:
 
     def _scene(self, number: int, start: float, limit: float, rough: bool) -> Root:
         scene = self.play.scenes[number]
-        runs = sum(1 for played in self.scenes if played.scene == number)
-        root = Root(0, ("scene", scene.name, *([runs] if runs else [])), start, self.maker, scene=len(self.scenes))
+        again = len(self.scenes) - self.first.setdefault(number, len(self.scenes))
+        root = Root(0, ("scene", scene.name, *([again] if again else [])), start, self.maker, scene=len(self.scenes))
         root.plant(scene.body, limit, rough)
         root.top.index = len(self.scenes)
         return root
@@ -102,30 +105,30 @@ class Round:
             if isinstance(deed.verb, Say):
                 yield from soundings(deed.step, self.times.voices)
 
-    def holds(self) -> tuple[Hold, ...]:
+    def holds(self) -> Holds:
         """Which voices the reactions have, when."""
         ends = _ends(self.reactions)
-        first: dict[tuple[int, str], float] = {}
-        for step, time in self.times.requests:
+        first: dict[tuple[int, str], tuple[float, float]] = {}
+        for step, due in self.times.requests:
             assert isinstance(step.node, Do) and step.node.face is not None
-            if time < step.limit:
+            if due < step.limit:
                 key = (step.root.rank, step.node.face)
-                first[key] = min(time, first.get(key, time))
-        return tuple(sorted((Hold(face, rank, time, *ends[rank]) for (rank, face), time in first.items()), key=_start))
+                wait = (due, step.time(START) - due)
+                first[key] = min(wait, first.get(key, wait))
+        holds = (Hold(face, rank, due, *ends[rank], delay) for (rank, face), (due, delay) in first.items())
+        return Holds(tuple(sorted(holds, key=lambda hold: (hold.start, hold.rank))))
 
     def delays(self) -> dict[Key, float]:
-        """How long each line of a reaction waits for the end of the word that its face is saying."""
-        sounding: dict[str, list[Sounding]] = {}
-        if self.times.requests:
-            for one in self.sounds():
-                sounding.setdefault(one.face, []).append(one)
-        delays = {}
-        for step, time in self.times.requests:
-            assert isinstance(step.node, Do) and step.node.face is not None
-            for one in sounding.get(step.node.face, ()):
-                if one.step.root.rank < step.root.rank and one.start < time < one.end:
-                    spoken = self.times.voices.speak(one.line, one.step.node.span)
-                    delays[step.key()] = min(one.end, one.start + word_end(spoken, time - one.start))
+        """Until when each line of a reaction waits for the end of the word that its face is saying."""
+        if not self.times.requests:
+            return {}
+        sounding = _Voiced(list(self.sounds()))
+        delays: dict[Key, float] = {}
+        for step, due in self.times.requests:
+            for one in sounding.at(step, due):
+                spoken = self.times.voices.speak(one.line, one.step.node.span)
+                end = min(one.end, one.start + word_end(spoken, due - one.start))
+                delays[step.key()] = max(end, delays.get(step.key(), end))
         return delays
 
     def starts(self) -> tuple[float, ...]:
@@ -141,8 +144,27 @@ class Round:
         return max([self.scenes[-1].end, *reactions, *lines, *releases, *settled])
 
 
-def _start(hold: Hold) -> float:
-    return hold.start
+class _Voiced:
+    """The lines of each face in the order they sound."""
+
+    def __init__(self, sounds: list[Sounding]) -> None:
+        self._rows: dict[str, list[Sounding]] = {}
+        self._longest = max((sound.end - sound.start for sound in sounds), default=0.0)
+        for sound in sorted(sounds, key=_begins):
+            self._rows.setdefault(sound.face, []).append(sound)
+
+    def at(self, step: Step, time: float) -> Iterator[Sounding]:
+        """The lines of a step's face, of lower rank, that sound at a time."""
+        assert isinstance(step.node, Do) and step.node.face is not None
+        row = self._rows.get(step.node.face, [])
+        last = bisect_left(row, time, key=_begins)
+        for sound in row[bisect_left(row, time - self._longest, key=_begins) : last]:
+            if sound.step.root.rank < step.root.rank and time < sound.end:
+                yield sound
+
+
+def _begins(sound: Sounding) -> float:
+    return sound.start
 
 
 def _ends(reactions: Sequence[Root]) -> dict[int, tuple[float, float]]:

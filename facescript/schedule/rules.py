@@ -122,8 +122,8 @@ class Times:
         assert isinstance(step.node, Do)
         step.verb = say
         spoken = self.voices.speak(say, step.node.span)
-        holds = tuple(hold for hold in self.lengths.facts.holds if hold.face == step.node.face)
-        step.sayings = sayings(start, spoken, step.root.rank, holds)
+        holds = self.lengths.facts.holds.after(step.node.face or "", start, step.root.rank)
+        step.sayings = sayings(start, spoken, step.limit, holds)
         rough = rough or spoken.estimated
         step.children = []
         if start < NEVER:

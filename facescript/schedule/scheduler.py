@@ -31,8 +31,11 @@ from facescript.speech.model import VoiceBox
 MOST = 20_000
 """Statements that a script may come to as it is played: an hour and a half with four a second."""
 
-WORK = 12 * MOST
-"""Statements that all rounds together may solve; scripts come to rest after two to five rounds."""
+WORK = 300_000
+"""What all rounds together may cost, in statements solved; scripts come to rest after two to five rounds."""
+
+LOOK, REACTION = 8, 10
+"""What the plan of a look and the start of a reaction cost, in statements."""
 
 
 def schedule(play: Play, voice: VoiceBox, diagnostics: Diagnostics) -> Score | None:
@@ -81,10 +84,11 @@ class _Scheduler:
         facts, work = Facts(), 0
         while work < WORK:
             solved = self._round(facts)
-            work += MOST - solved.maker.left + 1
+            work += MOST - solved.maker.left + REACTION * len(solved.reactions) + 1
             if self.faults.failed or self.voices.failures:
                 return None
             learned = self._learn(solved)
+            work += LOOK * len(self.plans)
             if learned == facts:
                 return solved
             facts = learned
