@@ -179,13 +179,11 @@ def _columns(rows: list[list[Token]]) -> list[str]:
     widths = [max(columns(row[place][1]) for row in rows) for place in range(len(rows[0]))]
     texts = []
     for row in rows:
-        padding = [" " * (width - columns(token[1])) for token, width in zip(row, widths, strict=True)]
-        texts.append(
-            " ".join(
-                [row[0][1] + padding[0], *(pad + token[1] for pad, token in zip(padding[1:], row[1:], strict=True))]
-            )
-        )
-    return [text.rstrip() for text in texts]
+        words = [token[1] for token in row]
+        padding = [" " * (width - columns(word)) for word, width in zip(words, widths, strict=True)]
+        cells = [words[0] + padding[0], *(pad + word for pad, word in zip(padding[1:], words[1:], strict=True))]
+        texts.append(" ".join(cells).rstrip())
+    return texts
 
 
 def _align_comments(rows: list[Row]) -> None:

@@ -90,12 +90,12 @@ def _report_unexpected(place: Place) -> None:
     """Report what no rule knows."""
     _, text, start, end = place.token
     if start == end and place.before:
-        place.faults.add("FS125", *place.before[2:], where="after", sign=place.before[1])
+        place.faults.add("FS125", *place.before[2:], where=f"after `{place.before[1]}`")
     else:
         place.faults.add("FS135", start, end, word=text)
 
 
-# ---------------------------------------------------------------------------------------- what stands in the wrong place
+# --------------------------------------------------------------------------------------- what stands in the wrong place
 
 
 def _is_outside(place: Place) -> bool:
@@ -243,7 +243,8 @@ def _report_name(place: Place) -> Mended | None:
     before = place.before[1] if place.before else ""
     inner = text.strip('"')
     if kind != "STRING" or not inner.replace("-", "_").isidentifier():
-        place.faults.add("FS131", start - (start == end), end, before=before)
+        missing = place.before if start == end and place.before else place.token
+        place.faults.add("FS131", *missing[2:], before=before)
         return None
     place.faults.add("FS131", start, end, place.faults.fix(f"write `{inner}`", (start, end, inner)), before=before)
     return place.with_(("NAME", inner, start, end), instead=1)
@@ -255,9 +256,10 @@ def _lacks_value(place: Place) -> bool:
 
 def _report_value(place: Place) -> None:
     if place.before is None:
-        place.faults.add("FS125", *place.token[2:], where="before", sign=place.token[1])
+        where = f"before `{place.token[1]}`" if place.token[1] else "here"
+        place.faults.add("FS125", *place.token[2:], where=where)
     else:
-        place.faults.add("FS125", *place.before[2:], where="after", sign=place.before[1])
+        place.faults.add("FS125", *place.before[2:], where=f"after `{place.before[1]}`")
 
 
 # ---------------------------------------------------------------------------------------- what is too many

@@ -56,6 +56,7 @@ class _BlockReader:
         self.lost, self.faults, self.machine = reader.lost, reader.faults, machine
         self.open: list[bool] = []
         self.before: tuple[Line, Mark] | None = None
+        self.lost_level: int | None = None
         self.place = 0
 
     def read(self, block: Block) -> Any:
@@ -66,6 +67,10 @@ class _BlockReader:
                 self._open(line)
             elif self._hungry():
                 self._no_body()
+            if self.lost_level is not None and line.level > self.lost_level:
+                self._lose(line)
+            else:
+                self.lost_level = None
             self._line(line)
         self._close(0)
         if self._hungry():
@@ -92,9 +97,13 @@ class _BlockReader:
         self.place = line.end
 
     def _left_out(self, line: Line) -> list[Token]:
-        """What stands for a line that cannot be read."""
-        self.lost.update(token[1].split(".")[0] for token in line.tokens if token[0] in ("NAME", "DOTTED"))
+        """What stands for a line that cannot be read; the lines below it are lost with it."""
+        self._lose(line)
+        self.lost_level = line.level if self.lost_level is None else self.lost_level
         return self._ended([("FAULT", "", line.begin, line.end)])
+
+    def _lose(self, line: Line) -> None:
+        self.lost.update(token[1].split(".")[0] for token in line.tokens if token[0] in ("NAME", "DOTTED"))
 
     def _ended(self, tokens: list[Token]) -> list[Token]:
         end = tokens[-1][3]

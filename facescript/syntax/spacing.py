@@ -10,6 +10,9 @@ Token = tuple[str, str, int, int]
 ENDS = frozenset(("NAME", "DOTTED", "STRING", "QUANTITY", "INTEGER", "SIZE", "COLOUR", "RPAR", "NTH"))
 BEGINS = frozenset(("NAME", "DOTTED", "STRING", "QUANTITY", "INTEGER", "SIZE", "COLOUR", "LPAR"))
 NUMBERS = frozenset(("QUANTITY", "INTEGER", "SIZE", "NTH"))
+TIMES = frozenset(("DOTTED", "QUANTITY", "RPAR"))
+"""What a time may end in: a negative time after it is meant as a difference, for no time is negative."""
+
 UNITS = frozenset(("ms", "s", "deg", "cm", "m", "fps"))
 
 LONGEST_NUMBER = 16
@@ -24,6 +27,8 @@ def suspect(tokens: list[Token], token: Token) -> bool:
     if not tokens:
         return False
     before = tokens[-1]
+    if text[0] == "-" and kind == "QUANTITY" and before[0] in TIMES:
+        return True
     if before[3] == start and kind in BEGINS:
         return before[0] in ENDS or before[0] == "COMMA" or before[1] == "-"
     return text == "-" or (kind == "NAME" and text in UNITS and before[0] in NUMBERS)
@@ -66,8 +71,9 @@ def _word(meant: list[Token], token: Token, faults: Faults) -> None:
         fix = faults.fix(f"write `{before[1]}{text}`", (before[3], start, ""))
         faults.add("FS113", before[2], end, fix, unit=text)
         meant[-1] = ("QUANTITY", before[1] + text, before[2], end)
-    elif touches and text[0] == "-" and before[0] in ENDS:
-        faults.add("FS111", start, start + 1, faults.fix("write a space on both sides", (start, start + 1, " - ")))
+    elif text[0] == "-" and ((touches and before[0] in ENDS) or (before[0] in TIMES and text.endswith("s"))):
+        spaced = " - " if touches else "- "
+        faults.add("FS111", start, start + 1, faults.fix("write a space on both sides", (start, start + 1, spaced)))
         meant += [("OPERATOR", "-", start, start + 1), (kind, text[1:], start + 1, end)]
     elif touches and before[0] == "COMMA" and kind in NUMBERS and _decimal(meant):
         whole = meant[-2]
