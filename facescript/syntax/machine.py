@@ -91,6 +91,8 @@ class Machine:
             rule = self.rules[~action]
             del states[len(states) - rule.length :]
             states.append(self.rows[states[-1]][rule.name])
+            if states[-1] == self.last and kind == END:
+                return True
 
     @property
     def hungry(self) -> bool:

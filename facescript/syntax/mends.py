@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from facescript.syntax.faults import Faults
-from facescript.syntax.spacing import BEGINS, Token
+from facescript.syntax.spacing import BEGINS, ENDS, Token
 
 OUTSIDE = frozenset(("EXPRESSION", "ACTION", "LET", "FACE", "TARGET", "FILM", "EVENT", "USE", "SCENE", "WHEN"))
 """Keywords of what stands outside of all blocks."""
@@ -251,7 +251,8 @@ def _report_name(place: Place) -> Mended | None:
 
 
 def _lacks_value(place: Place) -> bool:
-    return place.kind not in BEGINS and place.accepts("NAME") and place.accepts("STRING")
+    complete = place.before is not None and place.before[0] in ENDS
+    return not complete and place.kind not in BEGINS and place.accepts("NAME") and place.accepts("STRING")
 
 
 def _report_value(place: Place) -> None:

@@ -8,7 +8,7 @@ from facescript.syntax.blocks import Block
 from facescript.syntax.builder import TERMINALS, Builder
 from facescript.syntax.faults import Faults
 from facescript.syntax.lexer import Line
-from facescript.syntax.machine import Machine, Mark, Rule
+from facescript.syntax.machine import END, Machine, Mark, Rule
 from facescript.syntax.mends import mend, report_no_colon
 from facescript.syntax.spacing import Token
 from facescript.syntax.table import table
@@ -39,7 +39,7 @@ class Reader:
         machine = self._machine("cue")
         count = 0 if line.spoilt else machine.run(line.tokens)
         place = line.end
-        if line.spoilt or count < len(line.tokens) or not machine.accepts("$END"):
+        if line.spoilt or count < len(line.tokens) or not machine.accepts(END):
             if not line.faulty:
                 mend([*line.tokens, ("_NL", "", place, place)], count, machine.accepts, self.faults)
             return None
