@@ -50,6 +50,14 @@ def write_webm(job: Job, path: Path) -> None:
     _write_film(job, path, WEBM)
 
 
+@contextmanager
+def film_options(job: Job, kind: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """ffmpeg's options for a film of the job (`kind` is MP4 or WEBM) whose planes come on its standard input."""
+    picture = raw_input("yuv420p", even(job.stage.width), even(job.stage.height), job.fps)
+    with _sound_file(job) as heard:
+        yield (*picture, *heard, *COLOURS, *kind, *EXACT)
+
+
 def write_gif(job: Job, path: Path) -> None:
     """A GIF that loops for ever, one palette of 256 colours for the whole film. Raises `JobFailure`."""
     step = int(np.ceil(job.fps / SWIFTEST_GIF))
@@ -66,9 +74,7 @@ def write_gif(job: Job, path: Path) -> None:
 
 def _write_film(job: Job, path: Path, kind: Sequence[str]) -> None:
     times = job.times()
-    picture = raw_input("yuv420p", even(job.stage.width), even(job.stage.height), job.fps)
-    with drawing_faults(), _sound_file(job) as heard, film_planes(job.stage, times, job.jobs) as frames:
-        options = (*picture, *heard, *COLOURS, *kind, *EXACT)
+    with drawing_faults(), film_options(job, kind) as options, film_planes(job.stage, times, job.jobs) as frames:
         _encode(_counted(job, frames, len(times)), options, path)
 
 

@@ -1,4 +1,4 @@
-"""What an output is made from: one performance, its picture and sound when asked for, and the stretch of time wanted."""
+"""What an output is made from: a performance, its picture and sound when asked for, and the stretch of time wanted."""
 
 from __future__ import annotations
 

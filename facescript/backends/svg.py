@@ -14,8 +14,9 @@ from facescript.backends.job import Job
 from facescript.backends.svg_animation import QUANTUM, Animation, animation
 from facescript.backends.svg_paint import Paints
 from facescript.backends.svg_sound import sound_address
-from facescript.backends.svg_track import SVG, Clock, animate
+from facescript.backends.svg_track import SVG, Clock, Track, animate, carry, svg
 from facescript.rig.picture import Shape
+from facescript.stage.stage import BACKDROP
 
 XHTML = "http://www.w3.org/1999/xhtml"
 PLAYER = Path(__file__).with_name("svg_player.js")
@@ -65,21 +66,21 @@ def _body(
     picture = list(_faces(job, shapes, moving, paints, clock))
     yield _text("title", " and ".join(face.name for face in job.score.faces if face.seen) or "FaceScript")
     yield _text("desc", "\n".join(f"{face}: {text}" for face, text in job.spoken()))
-    yield _definitions(shapes, moving, paints)
+    yield _definitions(shapes, paints)
     yield from ground
     yield from picture
     if address:
         yield from _player(size, address)
 
 
-def _definitions(shapes: tuple[Shape, ...], moving: Animation, paints: Paints) -> etree._Element:
+def _definitions(shapes: tuple[Shape, ...], paints: Paints) -> etree._Element:
     """Gradients, and a clip for every set of shapes that bound others."""
-    definitions = etree.Element(f"{{{SVG}}}defs")
+    definitions = svg("defs")
     definitions.extend(paints.elements())
     for clip in dict.fromkeys(shape.clip for shape in shapes if shape.clip):
-        element = etree.SubElement(definitions, f"{{{SVG}}}clipPath", id=_clip_name(clip))
-        for name in clip:
-            etree.SubElement(element, f"{{{SVG}}}use", href=f"#{name}")
+        element = svg("clipPath", id=_clip_name(clip))
+        element.extend(svg("use", href=f"#{name}") for name in clip)
+        definitions.append(element)
     return definitions
 
 
@@ -87,23 +88,27 @@ def _faces(
     job: Job, shapes: tuple[Shape, ...], moving: Animation, paints: Paints, clock: Clock
 ) -> Iterator[etree._Element]:
     """A group a face, in it a group a layer, in it a path a shape."""
-    owners = job.stage.owners
-    rows = list(zip(owners, shapes, moving.outlines, moving.opacities, strict=True))
+    rows = list(zip(job.stage.owners, shapes, moving.outlines, moving.opacities, moving.carried, strict=True))
     clips = {name for shape in shapes for name in shape.clip}
-    for owner, part in groupby(rows, key=lambda row: (row[0], row[1].group == "background")):
-        kind = "backdrop" if owner[1] else "face"
-        face = etree.Element(f"{{{SVG}}}g", {"class": kind, "data-face": owner[0], "transform": f"scale({QUANTUM})"})
-        for group, layer in groupby(part, key=lambda row: row[1].group):
-            element = etree.SubElement(face, f"{{{SVG}}}g", {"class": group})
-            for _, shape, outline, opacity in layer:
+    for (owner, backdrop), part in groupby(rows, key=lambda row: (row[0], row[1].group == BACKDROP)):
+        face = svg("g", class_="backdrop" if backdrop else "face", data_face=owner, transform=f"scale({QUANTUM})")
+        for (group, carrier), layer in groupby(part, key=lambda row: (row[1].group, row[4])):
+            element = svg("g", class_=group)
+            carry(element, moving.carriers[carrier], clock)
+            for _, shape, outline, opacity, _ in layer:
                 if shape.id in clips or not (opacity.still and opacity.values[0] == "0"):
-                    path = etree.SubElement(element, f"{{{SVG}}}path", id=shape.id, fill=paints.fill(shape.fill))
-                    if shape.clip:
-                        path.set("clip-path", f"url(#{_clip_name(shape.clip)})")
-                    animate(path, "d", outline, clock)
-                    if not (opacity.still and opacity.values[0] == "1"):
-                        animate(path, "opacity", opacity, clock)
+                    element.append(_path(shape, outline, opacity, paints, clock))
+            face.append(element)
         yield face
+
+
+def _path(shape: Shape, outline: Track, opacity: Track, paints: Paints, clock: Clock) -> etree._Element:
+    clip = {"clip_path": f"url(#{_clip_name(shape.clip)})"} if shape.clip else {}
+    path = svg("path", id=shape.id, fill=paints.fill(shape.fill), **clip)
+    animate(path, "d", outline, clock)
+    if not (opacity.still and opacity.values[0] == "1"):
+        animate(path, "opacity", opacity, clock)
+    return path
 
 
 def _clip_name(clip: tuple[str, ...]) -> str:
@@ -112,22 +117,21 @@ def _clip_name(clip: tuple[str, ...]) -> str:
 
 def _player(size: tuple[int, int], address: str) -> Iterator[etree._Element]:
     """The sound, a sign to click, and the script that joins picture and sound."""
-    holder = etree.Element(f"{{{SVG}}}foreignObject", width="1", height="1")
+    holder = svg("foreignObject", width="1", height="1")
     etree.SubElement(holder, f"{{{XHTML}}}audio", {"src": address, "preload": "auto"}, nsmap={None: XHTML})
     yield holder
-    middle, side = (size[0] / 2, size[1] / 2), min(size) / 12
-    sign = {"class": "play", "visibility": "hidden", "role": "button", "tabindex": "0", "cursor": "pointer"}
-    place = f"translate({middle[0]:g} {middle[1]:g}) scale({side:.2f})"
-    button = etree.Element(f"{{{SVG}}}g", {**sign, "aria-label": "play", "transform": place})
-    etree.SubElement(button, f"{{{SVG}}}circle", {"r": "1", "fill": "#1d1d1d", "fill-opacity": "0.6"})
-    etree.SubElement(button, f"{{{SVG}}}path", d="M-.35-.5 .6 0-.35 .5z", fill="#ffffff")
+    place = f"translate({size[0] / 2:g} {size[1] / 2:g}) scale({min(size) / 12:.2f})"
+    sign = {"role": "button", "tabindex": "0", "cursor": "pointer", "aria_label": "play"}
+    button = svg("g", class_="play", visibility="hidden", transform=place, **sign)
+    button.append(svg("circle", r="1", fill="#1d1d1d", fill_opacity="0.6"))
+    button.append(svg("path", d="M-.35-.5 .6 0-.35 .5z", fill="#ffffff"))
     yield button
-    script = etree.Element(f"{{{SVG}}}script")
+    script = svg("script")
     script.text = PLAYER.read_text("utf-8")
     yield script
 
 
 def _text(tag: str, text: str) -> etree._Element:
-    element = etree.Element(f"{{{SVG}}}{tag}")
+    element = svg(tag)
     element.text = UNFIT.sub("\ufffd", text)
     return element

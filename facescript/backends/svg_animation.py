@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from facescript.backends.job import Job
+from facescript.backends.svg_carry import carriers
+from facescript.backends.svg_ease import Keys
 from facescript.backends.svg_ground import SHADE, Behind
 from facescript.backends.svg_keys import Swing
 from facescript.backends.svg_path import path_text
 from facescript.backends.svg_track import Track
 from facescript.performance.channels import CHANNELS
 from facescript.rig.picture import Shape
-from facescript.stage.ground import Ground
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -24,8 +24,8 @@ Ints = NDArray[np.int64]
 QUANTUM = 0.25
 """Pixels: coordinates are whole multiples of it. Measured: the smallest files at the same half pixel."""
 
-OFF = 0.5 / math.sqrt(2)
-"""Pixels a coordinate may be off, so that a point is at most half a pixel away."""
+OFF = 0.5
+"""Pixels a point may be off."""
 
 TICK = 0.004
 """Seconds: all key times are whole multiples of it."""
@@ -36,7 +36,7 @@ STEP = 4
 BEFORE = 1e-6
 """Seconds: how shortly before a jump the picture is looked at."""
 
-CHUNK = 128
+CHUNK = 512
 """Moments drawn at once."""
 
 BEND = {"deg": 0.25, "cm": 0.02, "1": 0.006}
@@ -48,33 +48,43 @@ HEAD_BEND = 0.04
 
 @dataclass(frozen=True, slots=True)
 class Animation:
-    """Outline (in QUANTUM pixels) and opacity of every shape over time, and what lies behind them."""
+    """Outline and opacity of every shape over time, the translation that carries it, and what lies behind all.
+
+    Outlines and translations are in QUANTUM pixels; `carried` says which translation is whose.
+    """
 
     outlines: tuple[Track, ...]
     opacities: tuple[Track, ...]
+    carried: tuple[int, ...]
+    carriers: tuple[Track, ...]
     behind: Behind
 
 
 def animation(job: Job, shapes: tuple[Shape, ...]) -> Animation:
     """The key frames of a job's stretch. Memory holds a chunk of frames and the keys found."""
     columns = [_columns(shape) for shape in shapes]
-    order = np.concatenate(columns)
-    starts = np.cumsum([0] + [2 * len(column) for column in columns[:-1]])
-    outlines = Swing(starts, 2 * len(order), OFF / QUANTUM)
+    outlines = [Keys() for _ in shapes]
     shades = Swing(np.arange(len(shapes)), len(shapes), 1.0)
     behind = Behind()
     moments = _moments(job)
-    for number, (time, points, opacity, ground) in enumerate(_frames(job, moments)):
-        feed = (Swing.push, Swing.begin)[number == 0]
-        feed(outlines, time, points[order].ravel() / QUANTUM)
-        feed(shades, time, opacity / SHADE)
-        behind.take(time - moments[0], ground)
-        job.progress(number + 1, len(moments))
-    outlines.finish()
+    carried = carriers(job, shapes, columns, moments, QUANTUM)
+    for first in range(0, len(moments), CHUNK):
+        chunk = moments[first : first + CHUNK]
+        drawn = job.stage.frames(chunk)
+        along = carried.at(chunk)
+        for keys, column, carrier in zip(outlines, columns, carried.of, strict=True):
+            rows = drawn.points[:, column] / QUANTUM - along[:, None, carrier]
+            keys.follow(chunk, rows.reshape(len(chunk), -1), OFF / QUANTUM)
+        for time, opacity, ground in zip(chunk.tolist(), drawn.opacity, drawn.grounds, strict=True):
+            (shades.push if shades.begun else shades.begin)(time, opacity / SHADE)
+            behind.take(time - moments[0], ground)
+        job.progress(first + len(chunk), len(moments))
     shades.finish()
     return Animation(
-        tuple(_outline(keys, shape, moments[0]) for keys, shape in zip(outlines.keys, shapes, strict=True)),
+        tuple(_outline(keys, shape, moments[0]) for keys, shape in zip(outlines, shapes, strict=True)),
         tuple(_shade(keys, moments[0]) for keys in shades.keys),
+        carried.of,
+        tuple(_translation(keys, moments[0]) for keys in carried.keys),
         behind,
     )
 
@@ -84,17 +94,15 @@ def _columns(shape: Shape) -> Ints:
     return np.concatenate([np.arange(contour.first, contour.first + contour.count) for contour in shape.contours])
 
 
-def _frames(job: Job, moments: Floats) -> Iterator[tuple[float, Floats, Floats, Ground]]:
-    for first in range(0, len(moments), CHUNK):
-        chunk = moments[first : first + CHUNK]
-        drawn = job.stage.frames(chunk)
-        yield from zip(chunk.tolist(), drawn.points, drawn.opacity, drawn.grounds, strict=True)
-
-
-def _outline(keys: list[tuple[float, Ints]], shape: Shape, start: float) -> Track:
+def _outline(keys: Keys, shape: Shape, start: float) -> Track:
     lengths = tuple(contour.count for contour in shape.contours)
-    texts = tuple(path_text(values.reshape(-1, 2), lengths) for _, values in keys)
-    return Track(tuple(time - start for time, _ in keys), texts)
+    texts = tuple(path_text(values.reshape(-1, 2), lengths) for values in keys.values)
+    return Track(tuple(time - start for time in keys.times), texts, keys.eases)
+
+
+def _translation(keys: Keys, start: float) -> Track:
+    texts = tuple(f"{values[0]} {values[1]}" for values in keys.values)
+    return Track(tuple(time - start for time in keys.times), texts, keys.eases)
 
 
 def _shade(keys: list[tuple[float, Ints]], start: float) -> Track:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from facescript.backends.svg_keys import Swing
 from facescript.backends.svg_paint import Paints
-from facescript.backends.svg_track import SVG, Clock, Track, animate
+from facescript.backends.svg_track import Clock, Track, animate, svg
 from facescript.stage.ground import Backdrop, Ground, Photo
 
 Floats = NDArray[np.float64]
@@ -49,15 +49,14 @@ class Behind:
     ) -> Iterable[etree._Element]:
         """The rectangle and the layers above it, animated; times count from the first moment."""
         box = {"width": str(size[0]), "height": str(size[1])}
-        rectangle = etree.Element(f"{{{SVG}}}rect", box)
+        rectangle = svg("rect", **box)
         animate(rectangle, "fill", self._colours(), clock)
         yield rectangle
         for layer in self.layers:
             if isinstance(layer, Photo):
-                address = {"href": _address(read(layer.path)), "preserveAspectRatio": "xMidYMid slice"}
-                element = etree.Element(f"{{{SVG}}}image", box | address)
+                element = svg("image", href=_address(read(layer.path)), preserveAspectRatio="xMidYMid slice", **box)
             else:
-                element = etree.Element(f"{{{SVG}}}rect", box | {"fill": paints.fill(layer.paint)})
+                element = svg("rect", fill=paints.fill(layer.paint), **box)
             animate(element, "opacity", self._covering(layer), clock)
             yield element
 

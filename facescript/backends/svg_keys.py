@@ -22,11 +22,13 @@ class Swing:
         self.widths = np.diff(np.append(starts, columns))
         self.reach = tolerance - 0.5
         self.keys: list[list[tuple[float, Ints]]] = [[] for _ in starts]
+        self.begun = False
         self.time = 0.0
         self.row: Floats = np.zeros(columns)
 
     def begin(self, time: float, row: Floats) -> None:
         """The first row: a key frame of every track."""
+        self.begun = True
         self.anchor = np.rint(row)
         self.since = np.full(len(row), time)
         self.low = np.full(len(row), -np.inf)

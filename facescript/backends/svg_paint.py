@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from lxml import etree
 
+from facescript.backends.svg_track import svg
 from facescript.rig.picture import Linear, Paint, Radial
 
 
@@ -27,14 +28,13 @@ class Paints:
 def _gradient(paint: Linear | Radial, name: str) -> etree._Element:
     if isinstance(paint, Linear):
         (x1, y1), (x2, y2) = paint.start, paint.end
-        element = etree.Element("linearGradient", id=name, x1=_n(x1), y1=_n(y1), x2=_n(x2), y2=_n(y2))
+        element = svg("linearGradient", id=name, x1=_n(x1), y1=_n(y1), x2=_n(x2), y2=_n(y2))
     else:
         (cx, cy), radius = paint.centre, paint.radius
-        element = etree.Element("radialGradient", id=name, cx=_n(cx), cy=_n(cy), r=_n(radius))
+        element = svg("radialGradient", id=name, cx=_n(cx), cy=_n(cy), r=_n(radius))
     for stop in paint.stops:
-        child = etree.SubElement(element, "stop", {"offset": _n(stop.offset), "stop-color": stop.colour})
-        if stop.opacity < 1:
-            child.set("stop-opacity", _n(stop.opacity))
+        opacity = {"stop_opacity": _n(stop.opacity)} if stop.opacity < 1 else {}
+        element.append(svg("stop", offset=_n(stop.offset), stop_color=stop.colour, **opacity))
     return element
 
 

@@ -9,6 +9,15 @@ from lxml import etree
 
 SVG = "http://www.w3.org/2000/svg"
 
+STRAIGHT = (0.0, 0.0, 1.0, 1.0)
+"""The ease of a straight way."""
+
+
+def svg(tag: str, **attributes: str) -> etree._Element:
+    """An element of SVG; in attributes' names `_` stands for `-`, and one at the end is dropped."""
+    named = {name.rstrip("_").replace("_", "-"): value for name, value in attributes.items()}
+    return etree.Element(f"{{{SVG}}}{tag}", named, nsmap={None: SVG})
+
 
 @dataclass(frozen=True, slots=True)
 class Clock:
@@ -33,10 +42,12 @@ class Clock:
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """Key frames of one attribute: times in seconds from the start, and the attribute's text at each."""
+    """Key frames of one attribute: times in seconds from the start, the attribute's text at each, and the ease of the
+    way to each from the one before (none: all straight)."""
 
     times: Sequence[float]
     values: Sequence[str]
+    eases: Sequence[tuple[float, ...]] = ()
 
     @property
     def still(self) -> bool:
@@ -46,11 +57,27 @@ class Track:
 def animate(element: etree._Element, attribute: str, track: Track, clock: Clock) -> None:
     """Give an element its attribute's first value, and the animation of the rest where there is any."""
     element.set(attribute, track.values[0])
-    if track.still:
-        return
-    times, values = [*map(clock.fraction, track.times)], list(track.values)
+    if not track.still:
+        element.append(svg("animate", attributeName=attribute, **_course(track, clock)))
+
+
+def carry(element: etree._Element, track: Track, clock: Clock) -> None:
+    """Translate an element over time."""
+    if not track.still:
+        element.append(svg("animateTransform", attributeName="transform", type="translate", **_course(track, clock)))
+
+
+def _course(track: Track, clock: Clock) -> dict[str, str]:
+    """The attributes of an animation that say when it is what."""
+    times, values, eases = [*map(clock.fraction, track.times)], list(track.values), list(track.eases)
     if times[-1] != "1":
         times, values = [*times, "1"], [*values, values[-1]]
-    words = {"attributeName": attribute, "dur": f"{clock.seconds:g}s", "fill": "freeze"}
-    words |= {"keyTimes": ";".join(times), "values": ";".join(values)}
-    etree.SubElement(element, f"{{{SVG}}}animate", words)
+        eases += [STRAIGHT] if eases else []
+    words = {"dur": f"{clock.seconds:g}s", "fill": "freeze", "keyTimes": ";".join(times), "values": ";".join(values)}
+    if any(ease != STRAIGHT for ease in eases):
+        words |= {"calcMode": "spline", "keySplines": ";".join(map(_spline, eases))}
+    return words
+
+
+def _spline(ease: Sequence[float]) -> str:
+    return " ".join(f"{value:.2f}".rstrip("0").rstrip(".").removeprefix("0") or "0" for value in ease)

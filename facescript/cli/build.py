@@ -29,7 +29,7 @@ def run(options: argparse.Namespace) -> int:
         compiled, world = compile_named(options)
     except WorldFailure as fault:
         return refuse("FS901", name=options.script, reason=fault.args[0])
-    code = show(compiled.diagnostics)
+    code = show(compiled.diagnostics, hints=False)
     if compiled.score is None or compiled.play is None:
         return code or FAULTS
     return _make(_job(options, compiled, world), wanted, options.quiet)

@@ -17,7 +17,7 @@ def run(options: argparse.Namespace) -> int:
         compiled, _ = compile_named(options)
     except WorldFailure as fault:
         return refuse("FS901", name=options.script, reason=fault.args[0])
-    code = show(compiled.diagnostics)
+    code = show(compiled.diagnostics, hints=False)
     if compiled.score is not None:
         rows = explain(compiled.score)
         print(json.dumps(as_objects(rows), ensure_ascii=False, indent=2) if options.json else as_text(rows))

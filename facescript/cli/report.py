@@ -23,9 +23,9 @@ class OptionFault(Exception):
         self.code, self.values = code, values
 
 
-def show(diagnostics: Iterable[Diagnostic]) -> int:
+def show(diagnostics: Iterable[Diagnostic], hints: bool = True) -> int:
     """Print what authors are told, places in order; returns 1 where anything is an error, else 0."""
-    items = in_order(diagnostics)
+    items = [item for item in in_order(diagnostics) if hints or item.severity is not Severity.HINT]
     for item in items:
         print(render(item, colour=_colourful()), file=sys.stderr)
     return FAULTS if any(item.severity is Severity.ERROR for item in items) else 0
