@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from facescript.rig.cartoon import table
+from facescript.rig.cartoon.face import EYES
 from facescript.rig.cartoon.palette import Palette
 from facescript.rig.cartoon.style import FaceStyle
 from facescript.rig.picture import Picture, Shape
-
-import numpy as np
-
-from facescript.rig.cartoon.face import EYES
 
 
 def backdrop(style: FaceStyle, palette: Palette) -> tuple[tuple[Shape, ...], Picture]:
@@ -17,9 +16,8 @@ def backdrop(style: FaceStyle, palette: Palette) -> tuple[tuple[Shape, ...], Pic
     parts = style.backdrop(palette)
     outlines = {part.id: part.loops for part in parts}
     anchors = table.build(parts, outlines, outlines)
-    columns = (anchors.points(values[:, None])[:, 0] + EYES[k] for k, values in enumerate((anchors.x, anchors.y)))
-    points = np.stack(list(columns), axis=-1)[None]
+    columns = [anchors.points(values[:, None])[:, 0] + EYES[k] for k, values in enumerate((anchors.x, anchors.y))]
     shapes = tuple(
         Shape(part.id, part.group, anchors.contours[part.id], part.fill, part.clip, moving=False) for part in parts
     )
-    return shapes, Picture(points, np.array([[part.opacity for part in parts]]))
+    return shapes, Picture(np.stack(columns, axis=-1)[None], np.array([[part.opacity for part in parts]]))

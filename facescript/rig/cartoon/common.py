@@ -1,4 +1,4 @@
-"""Parts that every cartoon human has in the same form: eyes, mouth, brows, nose, cheeks, and the lines of expression."""
+"""Parts that every cartoon human has in the same form: eyes, mouth, brows, nose, cheeks, lines of expression."""
 
 from __future__ import annotations
 
@@ -34,7 +34,8 @@ def _eye(p: Palette, side: str, socket: float, lid: float, lashes: bool) -> list
     group, white = f"eye-{side}", (f"eye-white-{side}",)
     deep, base, shade = p["skin.deep"], p["skin.base"], p["skin.shade"]
     hollow = Radial((Stop(0, deep, 0.75), Stop(0.6, deep, 0.35), Stop(1, deep, 0)))
-    skin = ramp((0, mix(base, shade, 0.55)), (1, mix(shade, deep, 0.45)))
+    lid_tone = mix(mix(base, shade, 0.8), deep, 0.25)
+    skin = Radial((Stop(0, lid_tone, 1), Stop(0.55, lid_tone, 0.85), Stop(1, lid_tone, 0.1)), (0.5, 0.62), 0.58)
     iris = Radial(
         (
             Stop(0, p["eyes.light"]),
@@ -51,7 +52,7 @@ def _eye(p: Palette, side: str, socket: float, lid: float, lashes: bool) -> list
         ("lid", skin, lid, (), "eye"),
         ("white", ramp((0, p["fixed.white-shade"]), (1, p["fixed.white"])), 1, (), "eye"),
         ("iris", iris, 1, white, "ball"),
-        ("rays", p["eyes.rays"], 0.5, white, "ball"),
+        ("rays", p["eyes.rays"], 0.4, white, "ball"),
         ("pupil", p["fixed.pupil"], 1, white, "ball"),
         ("shade", p["fixed.ball-shade"], 0.38, white, "eye"),
         ("light", "#ffffff", 0.96, white, "ball"),

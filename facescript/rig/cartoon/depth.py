@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 RELIEF = 0.84
 AXIS = 0.2
@@ -69,7 +70,7 @@ class Head:
 
 
 def smooth(low: float, high: float, value: float) -> float:
-    """0 below `low`, 1 above `high`, a smooth step between."""
+    """0 at `low`, 1 at `high` and beyond, a smooth step between."""
     t = min(1.0, max(0.0, (value - low) / (high - low)))
     return t * t * (3 - 2 * t)
 
@@ -86,7 +87,7 @@ def lookup(table: Sequence[tuple[float, float]], at: float) -> float:
     """Linear between the rows of `table`, constant beyond."""
     if at <= table[0][0]:
         return table[0][1]
-    for (a, u), (b, v) in zip(table, table[1:], strict=False):
+    for (a, u), (b, v) in pairwise(table):
         if at <= b:
             return mix(u, v, (at - a) / (b - a))
     return table[-1][1]
@@ -94,7 +95,7 @@ def lookup(table: Sequence[tuple[float, float]], at: float) -> float:
 
 def front(x: float) -> float:
     """The face's surface at a distance x from the middle, in the table's relief."""
-    return 1.46 - 0.73 * min(abs(x), 1.12) ** 3.6
+    return 1.46 - 0.73 * math.pow(min(abs(x), 1.12), 3.6)
 
 
 def _sliding(near: float, far: float, x: float) -> tuple[float, float]:
@@ -153,11 +154,13 @@ def hair(x: float, y: float, head: Head) -> Depth:
     wide, high = head.shell
     round_ = min(1.0, math.hypot(x / wide, min(y, 0) / high))
     crest = mix(1.62, 0.65, smooth(-1.2, -0.2, y))
-    ball = 0.115 + (crest - 0.115) * math.sqrt(1 - round_ * round_)
+    rim = smooth(0.72, 1.0, round_)
+    ball = 0.115 + (crest - 0.115) * math.sqrt(1 - round_ * round_) * (1 - rim)
     skull = skin(x, y, head)
-    t = smooth(1.0, 1.25, abs(x) / (lookup(head.outline, y) + 0.08))
+    outside = smooth(0.98, 1.16, abs(x) / (lookup(head.outline, y) + 0.08))
+    t = max(outside, smooth(-1.3, -1.65, y))
     over = Depth(mix(skull.z + 0.08, ball, t), skull.slide * (1 - t), skull.flatten * (1 - t))
-    return Depth(over.z, over.slide, over.flatten, t * smooth(0.72, 1.0, round_), _hanging(y))
+    return Depth(over.z, over.slide, over.flatten, t * rim, _hanging(y))
 
 
 def hair_side(x: float, y: float, head: Head) -> Depth:
@@ -167,7 +170,7 @@ def hair_side(x: float, y: float, head: Head) -> Depth:
 
 
 def hair_back(x: float, y: float, head: Head) -> Depth:
-    return Depth(0.0, silhouette=1.0, follow=_hanging(y))
+    return Depth(0.115, silhouette=1.0, follow=_hanging(y))
 
 
 def _hanging(y: float) -> float:

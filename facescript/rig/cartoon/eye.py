@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from facescript.rig.cartoon.depth import BALL
-from facescript.rig.cartoon.pen import Floats, Number, Pen, Spot, lerp, step
+from facescript.rig.cartoon.pen import Floats, Number, Pen, Spot, lerp
 
 ALONG = (-1.0, -0.58, 0.06, 0.62, 1.0)
 """Where the lids' five points stand across the eye, from the inner to the outer corner."""
@@ -71,8 +72,8 @@ def draw_eye(pen: Pen, style: EyeStyle, d: float, side: int, name: str, state: E
     _under_lid(pen, style, name, lids)
     _lower_lid(pen, style, d, side, name, lids, state)
     _upper_line(pen, style, d, side, name, lids)
-    for k, lash in enumerate(style.lashes):
-        _lash(pen, style, d, side, name, lids, lash, last=k == len(style.lashes) - 1)
+    for lash in style.lashes:
+        _lash(pen, style, d, side, name, lids, lash)
 
 
 def _x(style: EyeStyle, d: float, side: int, along: float) -> float:
@@ -80,13 +81,13 @@ def _x(style: EyeStyle, d: float, side: int, along: float) -> float:
 
 
 def _lids(style: EyeStyle, d: float, side: int, state: EyeState) -> _Lids:
-    narrow = 1 - 0.10 * state.cheek - 0.14 * state.nose - 0.12 * state.frown
+    narrow = 1 - 0.13 * state.cheek - 0.14 * state.nose - 0.12 * state.frown
     opening = np.maximum(state.opening, 0.0) * np.where(state.opening > 0, narrow, 1.0)
     shut = 1 - np.minimum(opening, 1.0)
     wide = np.minimum(opening, 1.0) + 0.8 * np.maximum(opening - 1, 0.0)
     below = np.sin(-state.pitch)
-    sinks = 4.0 * (below + np.sqrt(below * below + 0.01) - 0.1)
-    lift = 4.8 * state.cheek + 3.2 * state.nose + 1.2 * shut - sinks
+    sinks = 9.0 * (below + np.sqrt(below * below + 0.01) - 0.1)
+    lift = 6.0 * state.cheek + 3.2 * state.nose + 1.2 * shut - sinks
     corner = style.outer + 5.5 * shut - 1.2 * state.cheek
     down = (style.inner, style.down * 0.62, style.down, style.down * 0.70, corner)
     lower = [y - lift * k for y, k in zip(down, (0, 0.7, 1.0, 0.8, 0), strict=True)]
@@ -137,41 +138,54 @@ def _socket(pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids: _Li
     )
 
 
+@dataclass(frozen=True, slots=True)
+class _Plane:
+    """A plane that touches the eyeball's front: its origin and its two directions, x, y, z over frames, px."""
+
+    origin: list[Number]
+    right: Sequence[Number]
+    down: Sequence[Number]
+
+    def put(self, pen: Pen, part: str, spots: Sequence[tuple[Number, Number]], sharp: bool = False) -> None:
+        """An outline given on the plane, px to the right and down."""
+        x, y, z = ([self.origin[k] + u * self.right[k] + v * self.down[k] for u, v in spots] for k in range(3))
+        pen.loop(part, [(a, b, sharp) for a, b in zip(x, y, strict=True)], z)
+
+
+def _planes(style: EyeStyle, d: float, side: int, state: EyeState) -> tuple[_Plane, _Plane]:
+    """The iris' plane, turned with the eye's yaw, pitch and roll; and the same without the roll."""
+    sin_y, cos_y, sin_p, cos_p = np.sin(state.yaw), np.cos(state.yaw), np.sin(state.pitch), np.cos(state.pitch)
+    sin_r, cos_r = np.sin(state.roll), np.cos(state.roll)
+    ahead = (sin_y * cos_p, -sin_p, cos_y * cos_p)
+    across: list[Number] = [cos_y, 0.0 * sin_y, -sin_y]
+    down: list[Number] = [sin_y * sin_p, cos_p, cos_y * sin_p]
+    middle = (side * d / 2, style.iris_y, 0.0)
+    origin: list[Number] = [middle[k] + BALL * d * ahead[k] for k in range(3)]
+    rolled = [across[k] * cos_r + down[k] * sin_r for k in range(3)]
+    below = [down[k] * cos_r - across[k] * sin_r for k in range(3)]
+    return _Plane(origin, rolled, below), _Plane(origin, across, down)
+
+
 def _ball(pen: Pen, style: EyeStyle, d: float, side: int, name: str, state: EyeState) -> None:
     """Iris, its rays, pupil and lights as circles on a sphere: exact under rotation, foreshortened towards the rim."""
-    radius = BALL * d
-    sin_y, cos_y, sin_p, cos_p = np.sin(state.yaw), np.cos(state.yaw), np.sin(state.pitch), np.cos(state.pitch)
-    ahead = (sin_y * cos_p, -sin_p, cos_y * cos_p)
-    across = (cos_y, 0.0 * sin_y, -sin_y)
-    down = (sin_y * sin_p, cos_p, cos_y * sin_p)
-    sin_r, cos_r = np.sin(state.roll), np.cos(state.roll)
-    right = [a * cos_r + b * sin_r for a, b in zip(across, down, strict=True)]
-    below = [b * cos_r - a * sin_r for a, b in zip(across, down, strict=True)]
-    middle = (side * d / 2, style.iris_y, 0.0)
-
-    def put(
-        part: str, spots: list[tuple[float, Number, Number]], basis: tuple[list[Number], list[Number]], sharp: bool
-    ) -> None:
-        """Spots are kind (1 on the sphere's front), right and down in px on the iris' plane."""
-        xyz = [
-            [middle[k] + radius * ahead[k] + u * basis[0][k] + v * basis[1][k] for k in range(3)] for _, u, v in spots
-        ]
-        pen.loop(part, [(p[0], p[1], sharp) for p in xyz], [p[2] for p in xyz])
-
-    rolled = (list(right), list(below))
-    upright: tuple[list[Number], list[Number]] = (list(across), list(down))
+    iris, upright = _planes(style, d, side, state)
     circle = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))
     r = style.iris
-    put(f"eye-iris-{name}", [(1, r * u, r * v) for u, v in circle], rolled, sharp=False)
+    iris.put(pen, f"eye-iris-{name}", [(r * u, r * v) for u, v in circle])
     for angle, spread in RAYS:
-        wedge = [(angle - spread, 0.84), (angle + spread, 0.84), (angle, 0.46)]
-        put(f"eye-rays-{name}", [(1, r * k * math.cos(a), r * k * math.sin(a)) for a, k in wedge], rolled, sharp=True)
-    pupil = r * 0.43 * np.clip(state.pupil, 0.3, 1.9)
-    put(f"eye-pupil-{name}", [(1, pupil * u, pupil * v) for u, v in circle], rolled, sharp=False)
-    for x, y, rx, ry in ((-0.36, -0.40, 0.24, 0.26), (0.40, 0.42, 0.11, 0.11)):
-        light = [(1, r * (x + rx * u), r * (y + ry * v)) for u, v in circle]
-        put(f"eye-light-{name}", light, upright, sharp=False)
+        wedge = ((angle - spread, 0.84), (angle + spread, 0.84), (angle, 0.46))
+        iris.put(pen, f"eye-rays-{name}", [(r * k * math.cos(a), r * k * math.sin(a)) for a, k in wedge], sharp=True)
+    pupil = PUPIL * r * np.clip(state.pupil, 0.3, 1.9)
+    iris.put(pen, f"eye-pupil-{name}", [(pupil * u, pupil * v) for u, v in circle])
+    for x, y, size in LIGHTS:
+        upright.put(pen, f"eye-light-{name}", [(r * (x + size * u), r * (y + size * v)) for u, v in circle])
 
+
+PUPIL = 0.43
+"""The pupil at rest as a part of the iris."""
+
+LIGHTS = ((-0.36, -0.40, 0.25), (0.40, 0.42, 0.11))
+"""Two reflections: place and size as parts of the iris' radius."""
 
 RAYS = tuple(
     (math.radians(a), math.radians(w))
@@ -233,32 +247,28 @@ def _upper_line(pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids:
 
 
 def _lash(
-    pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids: _Lids, lash: tuple[float, float, float], last: bool
+    pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids: _Lids, lash: tuple[float, float, float]
 ) -> None:
-    """A lash rooted in the lid's line; it swings below the horizontal as the eye shuts."""
+    """A lash rooted in the lid's line; it bows up, and swings below the horizontal as the eye shuts."""
     along, length, angle = lash
-    outer = along > ALONG[3]
-    i, t = (3, (along - 0.62) / 0.38) if outer else (2, (along - 0.06) / 0.56)
-    root = lerp(lids.upper[i] - style.line[i] * 0.5, lids.upper[i + 1] - style.line[i + 1] * 0.4, t)
-    root = root + 1.4 * lids.shut
-    swing = np.radians(lerp(angle, 4 - angle, lids.shut * lids.shut))
+    i, t = (3, (along - ALONG[3]) / (ALONG[4] - ALONG[3])) if along > ALONG[3] else (2, (along - 0.06) / 0.56)
+    thick = lerp(style.line[i], style.line[i + 1], t) * (1 - 0.5 * lids.shut)
+    root = lerp(lids.upper[i], lids.upper[i + 1], t) - thick * lerp(0.55, -0.05, lids.shut)
+    swing = np.radians(lerp(angle, 2 - 0.9 * angle, lids.shut * lids.shut * (3 - 2 * lids.shut)))
     cosine, sine = np.cos(swing), np.sin(swing)
-    x = _x(style, d, side, along)
-    bow = 1.5 * step(-0.5, 0.5, sine) - 0.75
-    width = 1.7
-    tip_x, tip_y = x + side * length * cosine, root - length * sine
-    mid_x, mid_y = (
-        x + side * length * (0.45 * cosine + bow * 0.12 * sine),
-        root - length * (0.45 * sine - bow * 0.12 * cosine),
-    )
-    off_x, off_y = side * width * 0.5 * sine, width * 0.5 * cosine
+    x, width = _x(style, d, side, along), 2.1
+    bow = 0.16 * length
+    mid_x = x + side * (0.5 * length * cosine + bow * sine * (1 - lids.shut) + 0.4 * bow * lids.shut)
+    mid_y = root - 0.5 * length * sine + bow * cosine * lerp(1.0, -0.3, lids.shut)
+    base = lerp(0.8, -0.8, lids.shut)
+    thin = side * width * 0.34
     pen.loop(
         f"eye-lashes-{name}",
         [
-            (x - side * width * 1.1, root + 0.9, True),
-            (mid_x - off_x, mid_y - off_y),
-            (tip_x, tip_y, True),
-            (mid_x + off_x, mid_y + off_y),
-            (x + side * width * 1.1, root + 0.9, True),
+            (x - side * width * 0.8, root + base, True),
+            (mid_x - thin, mid_y - 0.2),
+            (x + side * length * cosine, root - length * sine, True),
+            (mid_x + thin, mid_y + 0.2),
+            (x + side * width * 0.8, root + base, True),
         ],
     )

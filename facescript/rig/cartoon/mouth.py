@@ -10,10 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from facescript.rig.cartoon.pen import Floats, Number, Pen, Spot, lerp, soft_max, step
+from facescript.rig.cartoon.pen import Floats, Number, Pen, Spot, lerp, step
 
 SIDES = (-1, 1)
 """The image's left (the face's right) and the image's right."""
+
+NARROW = 20.0
+"""Below this half width (px) a mouth resists being narrowed further."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +39,8 @@ class MouthStyle:
 
     @property
     def mns0(self) -> float:
-        """Mouth to nose, px."""
-        return self.y - self.nose_base
+        """Mouth (2.2) to nose (9.15), px."""
+        return self.y + self.tubercle - self.nose_base
 
     @property
     def mw0(self) -> float:
@@ -91,7 +94,6 @@ class Lips:
     inner_lower: list[Spot]
     outer_upper: list[Spot]
     outer_lower: list[Spot]
-    thick: tuple[Number, Number]
     drop: Floats
 
 
@@ -103,8 +105,7 @@ def lips(style: MouthStyle, state: MouthState) -> Lips:
     up, low = unit * state.upper, unit * state.lower
     said = unit * np.maximum(state.open, 0.0)
     slack = said - up - low
-    rise = up + 0.2 * slack + apart * 4.0 * state.mean("raise_")
-    rise = 13.0 * np.tanh(rise / 13.0)
+    rise = 13.0 * np.tanh((up + 0.2 * slack + apart * 4.0 * state.mean("raise_")) / 13.0)
     gap = said + apart * (4.0 * state.mean("raise_") + 5.0 * state.mean("lower"))
     middle = (
         style.y
@@ -115,29 +116,26 @@ def lips(style: MouthStyle, state: MouthState) -> Lips:
         - 2.2 * state.mean("nose")
     )
     middle = middle + 1.5 * state.mean("smile") - rise
-    corner = [_corner(style, state, k, middle, gap, puckered) for k in (0, 1)]
+    corner = [_corner(style, state, k, gap, puckered) for k in (0, 1)]
     inner_upper, inner_lower = _inner(style, state, middle, gap, apart, puckered, corner)
     thick = _thickness(style, state, slack, apart, puckered)
     outer_upper, outer_lower = _outer(style, state, inner_upper, inner_lower, thick, puckered, corner)
     drop = inner_lower[2][1] - style.y - style.tubercle
-    return Lips(
-        gap, apart, puckered, corner, inner_upper, inner_lower, outer_upper, outer_lower, thick, np.asarray(drop)
-    )
+    dropped: Floats = np.asarray(drop, dtype=np.float64)
+    return Lips(gap, apart, puckered, corner, inner_upper, inner_lower, outer_upper, outer_lower, dropped)
 
 
-def _corner(
-    style: MouthStyle, state: MouthState, k: int, middle: Number, gap: Floats, puckered: Floats
-) -> tuple[Number, Number]:
+def _corner(style: MouthStyle, state: MouthState, k: int, gap: Floats, puckered: Floats) -> tuple[Number, Number]:
     side = state.sides[k]
     half = style.half_width * (1 - 0.34 * np.clip(side.pucker, 0, 1) * (1 - 0.4 * state.round) - 0.10 * state.round)
     half = half + style.mw0 * state.wide + 7.0 * side.smile + 6.0 * side.stretch + 2.0 * side.frown - 2.5 * side.press
-    half = soft_max(half, 12.0, 6.0)
-    y = style.y + style.corner - 9.5 * side.smile + 9.0 * side.frown - 1.0 * side.raise_ + 1.5 * side.stretch
-    y = y + 2.0 * state.jaw + gap * lerp(0.10, 0.42, puckered) - unit_rise(style, state) * 0.3 - 1.5 * state.chin
+    half = half + np.where(half < NARROW, NARROW - half - 10.0 * np.tanh((NARROW - half) / 10.0), 0.0)
+    y = style.y + style.corner - 9.5 * side.smile + 11.5 * side.frown - 1.0 * side.raise_ + 1.5 * side.stretch
+    y = y + 2.0 * state.jaw + gap * lerp(0.10, 0.42, puckered) - _whole_rise(style, state) * 0.3 - 1.5 * state.chin
     return SIDES[k] * half, y
 
 
-def unit_rise(style: MouthStyle, state: MouthState) -> Floats:
+def _whole_rise(style: MouthStyle, state: MouthState) -> Floats:
     """How far (px) a mouth that shifts as a whole goes up."""
     shift: Floats = style.mns0 * (state.upper - state.lower) / 2
     return np.clip(shift, -6.0, 6.0)
@@ -155,18 +153,19 @@ def _inner(
     """The lips' inner edges: closed lips are one line, whatever the muscles say."""
     upper: list[Spot] = [(*corner[0], True)]
     lower: list[Spot] = [(*corner[0], True)]
+    along_x = lerp(0.56, 0.68, puckered * apart)
     middles = (middle - style.tubercle * 0.4 * apart, middle + gap + 0.3 - style.tubercle * 0.4 * apart)
     for k in (0, 1):
         side, (x, y) = state.sides[k], corner[k]
         level = middle - style.tubercle * (1 - apart)
-        along = lerp(0.86, lerp(0.74, 0.84, puckered), apart)
+        along = lerp(0.86, lerp(0.74, 0.72, puckered), apart)
         top = lerp(y, level, along) - apart * (4.0 * side.raise_ + 1.5 * side.nose) - 1.0 * side.raise_
-        bottom = top + 0.3 + gap * lerp(0.80, 0.92, puckered) + apart * (3.0 * side.lower + 2.0 * side.raise_)
+        bottom = top + 0.3 + gap * lerp(0.80, 0.76, puckered) + apart * (3.0 * side.lower + 2.0 * side.raise_)
         if k == 1:
             upper.append((0.0, middles[0]))
             lower.append((0.0, middles[1]))
-        upper.append((x * 0.56, top))
-        lower.append((x * 0.56, bottom))
+        upper.append((x * along_x, top))
+        lower.append((x * along_x, bottom))
     upper.append((*corner[1], True))
     lower.append((*corner[1], True))
     return upper, lower
@@ -197,26 +196,25 @@ def _outer(
     """The lips' outer edges: bow and sides above, the full lip below."""
     upper, lower = thick
     top, bottom = inner_upper[2][1], inner_lower[2][1]
-    above: list[Spot] = []
-    below: list[Spot] = []
-    for k in (0, 1):
-        side, (x, _) = state.sides[k], corner[k]
+    lifts = [3.4 * side.raise_ + 2.0 * side.nose for side in state.sides]
+    dip = style.dip * (1 - 0.35 * puckered) - 0.45 * (lifts[0] + lifts[1])
+    above: list[list[Spot]] = []
+    below: list[list[Spot]] = []
+    for k, row in ((0, 1), (1, 3)):
+        x, y = corner[k]
         bow = style.bow * lerp(1.0, np.abs(x) / style.half_width, 0.55)
-        bow = SIDES[k] * lerp(bow, np.maximum(bow, np.abs(x) * 0.40), puckered)
-        lift = 3.6 * side.raise_ + 2.0 * side.nose
-        row = 1 if k == 0 else 3
-        high = (x * lerp(0.60, 0.74, puckered), inner_upper[row][1] - upper * lerp(0.62, 0.76, puckered) - lift)
-        peak = (bow, top - upper - style.tubercle * 0.5 - lift * 0.9)
-        above += (
-            [high, peak, (0.0, top - upper + style.dip * (1 - 0.35 * puckered) - 2.0 * state.mean("raise_"))]
-            if k == 0
-            else [peak, high]
-        )
-        sink = 3.0 * side.lower
-        flat = (x * lerp(0.66, 0.76, puckered), inner_lower[row][1] + lower * 0.64 + sink)
-        full = (x * 0.30, bottom + lower - 0.5 + sink)
-        below += [flat, full] if k == 0 else [full, flat]
-    return above, below
+        bow = SIDES[k] * lerp(bow, np.maximum(bow, np.abs(x) * 0.36), puckered)
+        plain = inner_upper[row][1] - upper * 0.62
+        arched = y + 0.86 * (top - upper - y)
+        high = (x * lerp(0.60, 0.72, puckered), lerp(plain, arched, puckered) - lifts[k] * 0.8)
+        above.append([high, (bow, top - upper - style.tubercle * 0.5 - lifts[k] * 0.9)])
+        plain = inner_lower[row][1] + lower * 0.64
+        arched = y + 0.72 * (bottom + lower - y)
+        sink = 3.0 * state.sides[k].lower
+        flat = (x * lerp(0.66, 0.78, puckered), lerp(plain, arched, puckered) + sink)
+        below.append([flat, (x * lerp(0.30, 0.38, puckered), bottom + lower - 0.5 + sink)])
+    middle: Spot = (0.0, top - upper + dip)
+    return [*above[0], middle, *above[1][::-1]], [*below[0], *below[1][::-1]]
 
 
 def draw_mouth(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
@@ -233,7 +231,7 @@ def _inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> None
     """Cavity, tongue and both rows of teeth; the cavity bounds them all."""
     top, bottom = shape.inner_upper, shape.inner_lower
     pen.loop("mouth-cavity", [*top, *bottom[3:0:-1]])
-    (left, left_y), (right, right_y) = shape.corner
+    (left, _), (right, _) = shape.corner
     high, low = top[2][1], bottom[2][1]
     teeth = 10.0 * np.clip(state.teeth, 0.0, 1.0) + 2.0 * shape.apart * state.mean("raise_")
     tip_up = np.clip(state.tongue, 0.0, 1.0)
@@ -280,20 +278,19 @@ def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
             (left * arch, edge[0], True),
         ],
     )
-    shown = 0.72 * teeth * (1 - step(10.0, 26.0, shape.gap)) - 8.0 * (1 - step(0.0, 4.0, teeth))
-    pen.loop(
-        "mouth-teeth-lower",
-        [
-            (left * 0.8, left_y + 12, True),
-            (0.0, low + 14),
-            (right * 0.8, right_y + 12, True),
-            (right * 0.74, lerp(right_y, bottom[3][1], 0.7) - shown * 0.3),
-            (right * 0.4, bottom[3][1] - shown * 0.8),
-            (0.0, low - shown),
-            (left * 0.4, bottom[1][1] - shown * 0.8),
-            (left * 0.74, lerp(left_y, bottom[1][1], 0.7) - shown * 0.3),
-        ],
-    )
+    shown = 0.72 * teeth * (1 - step(10.0, 26.0, shape.gap))
+    hidden = 11.0 * (1 - step(0.0, 4.0, shown))
+    lower: list[Spot] = [
+        (left * 0.8, left_y + 12, True),
+        (0.0, low + 14),
+        (right * 0.8, right_y + 12, True),
+        (right * 0.74, lerp(right_y, bottom[3][1], 0.7) - shown * 0.3),
+        (right * 0.4, bottom[3][1] - shown * 0.8),
+        (0.0, low - shown),
+        (left * 0.4, bottom[1][1] - shown * 0.8),
+        (left * 0.74, lerp(left_y, bottom[1][1], 0.7) - shown * 0.3),
+    ]
+    pen.loop("mouth-teeth-lower", [(spot[0], spot[1] + hidden, len(spot) > 2) for spot in lower])
 
 
 def _lips(pen: Pen, style: MouthStyle, shape: Lips) -> None:
@@ -332,7 +329,7 @@ def _lips(pen: Pen, style: MouthStyle, shape: Lips) -> None:
             (left * 0.40, under - 1, True),
             (0.0, under + 0.8),
             (right * 0.40, under - 1, True),
-            (0.0, under + style.under),
+            (0.0, under + style.under * np.minimum(right / style.half_width, 1.0)),
         ],
     )
 

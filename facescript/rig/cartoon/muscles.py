@@ -104,7 +104,7 @@ def _brow(style: FaceStyle, side: str, sign: int) -> Iterator[Pull]:
 
     def raise_inner(x: float, y: float) -> tuple[float, float]:
         t = along(x)
-        return 0.0, -16.0 * (1 - t) ** 1.15 - 1.2 * bow(t)
+        return 0.0, -17.5 * (1 - t) ** 1.25 - 1.5 * bow(t)
 
     def raise_outer(x: float, y: float) -> tuple[float, float]:
         t = along(x)
@@ -112,7 +112,7 @@ def _brow(style: FaceStyle, side: str, sign: int) -> Iterator[Pull]:
 
     def knit(x: float, y: float) -> tuple[float, float]:
         t = along(x)
-        return -sign * 7.0 * (1 - t), 11.0 * (1 - t) + 4.0 * t - 1.5 * bow(t)
+        return -sign * 8.0 * (1 - t), 13.5 * (1 - t) + 5.5 * t - 1.0 * bow(t)
 
     def squeeze(x: float, y: float) -> tuple[float, float]:
         t = along(x)

@@ -33,16 +33,14 @@ def mix(a: str, b: str, t: float) -> str:
 
 
 def _moved(tone: Lab, base: Lab, new: Lab) -> Lab:
-    if tone[0] <= base[0]:
-        light = new[0] * tone[0] / base[0]
-    else:
-        light = 1 - (1 - new[0]) * (1 - tone[0]) / (1 - base[0])
+    darker = new[0] * tone[0] / base[0]
+    lighter = 1 - (1 - new[0]) * (1 - tone[0]) / (1 - base[0])
     chroma, hue = _polar(tone)
     base_chroma, base_hue = _polar(base)
     new_chroma, new_hue = _polar(new)
     share = new_chroma * chroma / max(base_chroma, 1e-3)
     angle = new_hue + hue - base_hue
-    return (light, share * math.cos(angle), share * math.sin(angle))
+    return (darker if tone[0] <= base[0] else lighter, share * math.cos(angle), share * math.sin(angle))
 
 
 def _polar(lab: Lab) -> tuple[float, float]:

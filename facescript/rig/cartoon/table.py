@@ -16,6 +16,9 @@ Floats = NDArray[np.float64]
 Loops = Mapping[str, Sequence[Loop]]
 """Outlines by part."""
 
+WARY = 0.5
+"""How wary corners of eye and mouth are (`spline.handle_map`): their neighbours move past one another."""
+
 
 @dataclass(frozen=True, slots=True)
 class Table:
@@ -35,26 +38,30 @@ class Table:
 
     def points(self, values: Floats) -> Floats:
         """The picture's points array[point, frame] of one coordinate of the anchors array[anchor, frame]."""
-        total = values[self.source[0]] * self.weight[0]
+        total: Floats = values[self.source[0]] * self.weight[0]
         total += values[self.source[1]] * self.weight[1]
         total += values[self.source[2]] * self.weight[2]
         return total
 
 
-def build(parts: Sequence[Part], rest: Loops, fit: Loops) -> Table:
-    """The table of `parts` with outlines `rest`; handles are fitted where the anchors are in `fit`."""
+def build(parts: Sequence[Part], rest: Loops, fit: Loops, bare: str = "") -> Table:
+    """The table of `parts` with outlines `rest`; handles are fitted where the anchors are in `fit`.
+
+    Parts of the group `bare` have anchors only: they are moved, and not drawn.
+    """
     spots: list[tuple[float, float]] = []
     owner: list[tuple[str, str]] = []
     terms: list[tuple[Term, ...]] = []
     rows: dict[str, slice] = {}
     contours: dict[str, tuple[Contour, ...]] = {}
     for part in parts:
+        wary = 0.0 if part.loops else WARY
         begin = len(spots)
         mine = []
         for outline, fitted in zip(rest[part.id], fit[part.id], strict=True):
             first, base = len(terms), len(spots)
             spots += [(x, y) for x, y, _ in outline]
-            terms += _path(fitted, base)
+            terms += _path(fitted, base, wary) if part.group != bare else []
             mine.append(Contour(first, len(terms) - first))
         rows[part.id] = slice(begin, len(spots))
         contours[part.id] = tuple(mine)
@@ -64,10 +71,10 @@ def build(parts: Sequence[Part], rest: Loops, fit: Loops) -> Table:
     return Table(x, y, tuple(owner), rows, contours, source, weight)
 
 
-def _path(outline: Loop, base: int) -> list[tuple[Term, ...]]:
+def _path(outline: Loop, base: int, wary: float) -> list[tuple[Term, ...]]:
     """Start, then handle, handle, anchor of each segment, as sums of the table's anchors."""
     points: list[tuple[Term, ...]] = [((base, 1.0),)]
-    for i, pair in enumerate(handle_map(outline)):
+    for i, pair in enumerate(handle_map(outline, wary)):
         points += [tuple((base + k, w) for k, w in handle) for handle in pair]
         points.append(((base + (i + 1) % len(outline), 1.0),))
     return points

@@ -24,5 +24,5 @@ def tones(named: Columns) -> Columns:
     out["brow-furrow"] = np.minimum(0.50 * knit + 0.10 * nose, 0.6)
     out["forehead-lines"] = np.minimum(0.22 * brow_in + 0.12 * brow_out + 0.34 * brows, 0.36)
     out["nose-wrinkles"] = np.minimum(0.50 * nose, 0.55)
-    out["chin-lines"] = np.minimum(0.45 * chin, 0.5)
+    out["chin-lines"] = np.minimum(0.34 * chin, 0.4)
     return out
