@@ -11,8 +11,8 @@ from facescript.ir.acts import Drop, Show, in_pass
 from facescript.schedule.deeds import Deed, Sounding
 from facescript.schedule.drops import Key
 from facescript.schedule.faults import Faults, short, tell
-from facescript.schedule.rules import CLOSE
 from facescript.schedule.steps import NEVER, SETTLED, START, Step
+from facescript.schedule.voices import CLOSE
 
 
 def lines_together(sounds: Iterable[Sounding], faults: Faults) -> None:

@@ -59,7 +59,7 @@ def walk(roots: Iterable[Root]) -> Iterator[tuple[Step, tuple[str, ...]]]:
             waiting += [(child, names) for child in reversed(step.children)]
 
 
-def deeds(roots: Iterable[Root]) -> tuple[list[Deed], list[Step]]:
+def deeds(roots: Iterable[Root], voices: Voices) -> tuple[list[Deed], list[Step]]:
     """What is done, and the steps that come too late to be done."""
     done: list[Deed] = []
     late: list[Step] = []
@@ -73,7 +73,8 @@ def deeds(roots: Iterable[Root]) -> tuple[list[Deed], list[Step]]:
         else:
             assert step.verb is not None
             release = _release(step, step.verb, start)
-            done.append(Deed(len(done), step, step.verb, node.face, start, step.time(SETTLED), release, names))
+            settled = _settled(step, step.verb, release, voices)
+            done.append(Deed(len(done), step, step.verb, node.face, start, settled, release, names))
     return done, late
 
 
@@ -94,6 +95,16 @@ def soundings(step: Step, voices: Voices) -> Iterator[Sounding]:
                 yield Sounding(step, node.face, node.verb, start, stop, True)
                 continue
         yield Sounding(step, node.face, node.verb, start, end, cut is not None)
+
+
+def _settled(step: Step, verb: Verb, release: float, voices: Voices) -> float:
+    """When the next may start; sooner than was meant where the act is cut."""
+    settled = step.time(SETTLED)
+    if isinstance(verb, Say):
+        return max(sound.end for sound in soundings(step, voices))
+    if isinstance(verb, (Look, Glance, Show, Add)) and verb.timing.lasting is not None:
+        return min(settled, release)
+    return settled
 
 
 def _release(step: Step, verb: Verb, start: float) -> float:

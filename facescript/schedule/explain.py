@@ -42,14 +42,14 @@ class Row:
 def explain(score: Score) -> list[Row]:
     """The acts of a score in time; each spoken line is followed by its words."""
     lines = _by_place(score.lines)
-    rows: list[Row] = []
+    groups: list[list[Row]] = []
     for act in score.acts:
         row = _row(score, act)
         if isinstance(act.verb, Say):
-            rows += _said(row, act, lines.get(_place(act.face, act.span), []))
+            groups += _said(row, act, lines.get(_place(act.face, act.span), []))
         else:
-            rows.append(row)
-    return rows
+            groups.append([row])
+    return [row for group in sorted(groups, key=lambda group: group[0].start) for row in group]
 
 
 def as_objects(rows: Sequence[Row]) -> list[dict[str, object]]:
@@ -93,20 +93,22 @@ def _row(score: Score, act: TimedAct) -> Row:
     return row
 
 
-def _said(row: Row, act: TimedAct, lines: list[TimedLine]) -> Iterator[Row]:
+def _said(row: Row, act: TimedAct, lines: list[TimedLine]) -> Iterator[list[Row]]:
     """The sayings of a line, each with its words; `lines` are those of this place that have not been told yet."""
     while lines and lines[0].start <= act.settled:
         line = lines.pop(0)
         about = (("start",) if act.estimated else ()) + (("settled", "end") if line.spoken.estimated else ())
         what = row.what if line.cut is None else f"{row.what} (breaks off)"
-        yield replace(row, kind="line", what=what, start=line.start, settled=line.end, end=line.end, about=about)
-        for word in line.spoken.words:
-            start, end = line.start + word.start, line.start + word.end
-            if start < line.end:
-                rough = ("start", "settled", "end") if line.spoken.estimated or act.estimated else ()
-                yield replace(
-                    row, kind="word", what=word.text, label=None, start=start, settled=end, end=end, about=rough
-                )
+        said = replace(row, kind="line", what=what, start=line.start, settled=line.end, end=line.end, about=about)
+        yield [said, *_words(said, line)]
+
+
+def _words(said: Row, line: TimedLine) -> Iterator[Row]:
+    for word in line.spoken.words:
+        start, end = line.start + word.start, line.start + word.end
+        if start < line.end:
+            about = ("start", "settled", "end") if said.about else ()
+            yield replace(said, kind="word", what=word.text, label=None, start=start, settled=end, end=end, about=about)
 
 
 def _by_place(lines: Sequence[TimedLine]) -> dict[tuple[str | None, str, int], list[TimedLine]]:

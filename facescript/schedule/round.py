@@ -51,7 +51,7 @@ class Round:
             solver.solve(root.top, DONE)
             self.reactions.append(root)
         self._play(solver, self._controls(triggers))
-        self.done, self.late = deeds([*(played.root for played in self.scenes), *self.reactions])
+        self.done, self.late = deeds([*(played.root for played in self.scenes), *self.reactions], self.times.voices)
 
     # -------------------------------------------------------------------------------------------- scenes
 

@@ -12,10 +12,7 @@ from facescript.schedule.labels import Labels
 from facescript.schedule.lengths import PAUSE, Lengths, sayings
 from facescript.schedule.solver import Need, Rule
 from facescript.schedule.steps import DONE, NEVER, SETTLED, START, Step, Time, after_line
-from facescript.schedule.voices import Voices, ends_at, starts_at
-
-CLOSE = 1e-6
-"""Seconds within which two times are one."""
+from facescript.schedule.voices import CLOSE, Voices, ends_at, starts_at
 
 
 @dataclass(slots=True)
@@ -139,7 +136,7 @@ class Times:
             if begin + start >= cut:
                 continue
             child = step.child(cue.body, index)
-            child.until = min(step.until, cut, begin + until)
+            child.until, child.limit = min(step.until, begin + until), min(step.limit, cut)
             child.times[START] = (begin + start, rough)
             step.children.append(child)
 

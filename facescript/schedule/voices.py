@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field, replace
 
 from facescript.ir.acts import Say
 from facescript.ir.wording import occurrences
 from facescript.speech.model import Spoken, VoiceBox, VoiceFailure, WordTime
 from facescript.text import Span
+
+CLOSE = 1e-6
+"""Seconds within which two times are one."""
 
 SILENT = Spoken(b"", 22_050, 0.0, (), (), estimated=True)
 """What stands in for a line that cannot be spoken."""
@@ -72,14 +75,14 @@ def ends_at(spoken: Spoken, character: int) -> float:
 
 
 def word_end(spoken: Spoken, time: float) -> float:
-    """The end of the word that sounds `time` seconds into the line; `time` itself between words."""
-    index = bisect_right(spoken.words, time, key=lambda word: word.start) - 1
+    """The end of the word that has begun by `time` (from the line's start); `time` itself between words."""
+    index = bisect_left(spoken.words, time - CLOSE, key=lambda word: word.start) - 1
     return max(time, spoken.words[index].end) if index >= 0 else time
 
 
 def whole_words(spoken: Spoken, time: float) -> float:
     """The end of the last word that is over by `time` (from the line's start); `time` where none is."""
-    ends = [word.end for word in spoken.words if word.end <= time]
+    ends = [word.end for word in spoken.words if word.end <= time + CLOSE]
     return max(ends, default=time)
 
 
