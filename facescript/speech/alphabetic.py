@@ -13,6 +13,7 @@ from facescript.speech.ipa import letters, mnemonics
 from facescript.speech.lines import CLAUSE_ENDS, Piece, Word, is_han, is_letter, words
 from facescript.speech.model import PhoneTime, VoiceFailure, WordTime
 from facescript.speech.parts import RATE, Part, phones, trimmed
+from facescript.speech.readings import ipa_of
 from facescript.speech.voices import Manner
 
 EMPHASIS = "<emphasis level='strong'> ", " </emphasis>"
@@ -38,16 +39,15 @@ class Sent:
 def speak(espeak: Espeak, piece: Piece, manner: Manner) -> Part:
     """The piece spoken. Raises `VoiceFailure`."""
     ssml = any(mark.kind == "stress" for mark in piece.marks)
-    readings = tuple(mark for mark in piece.marks if mark.kind == "reading")
+    spelt = {mark: ipa_of(mark) for mark in piece.marks if mark.kind == "reading"}
+    sounds = {mark: ipa for mark, ipa in spelt.items() if ipa is not None}
     _check_kanji(piece, manner)
     sent = _sent(piece, ssml)
-    sounds = any(_is_ipa(mark) for mark in readings)
     text = "".join(sent.text)
-    sound = espeak.speak(Utterance(text, manner.voice, manner.rate, manner.pitch, ssml, sounds))
+    sound = espeak.speak(Utterance(text, manner.voice, manner.rate, manner.pitch, ssml, bool(sounds)))
     heard = phones(sound)
-    for mark in readings:
-        if _is_ipa(mark):
-            _check_said(sound, sent, piece, mark)
+    for mark, ipa in sounds.items():
+        _check_said(sound, sent, piece, mark, ipa)
     sounding = [phone for phone in heard if phone.symbol]
     if not sounding:
         raise VoiceFailure(f"this voice has no sound for `{piece.text.strip()}`", "FS503")
@@ -83,21 +83,14 @@ def _plain(sign: str, ssml: bool) -> str:
 
 def _read(reading: Stretch, ssml: bool) -> str:
     """A reading as the voice takes it: phonemes for IPA, else another spelling."""
-    if _is_ipa(reading):
-        return f"[[{mnemonics(_ipa(reading))}]]"
+    ipa = ipa_of(reading)
+    if ipa is not None:
+        return f"[[{mnemonics(ipa)}]]"
     return "".join(_plain(sign, ssml) for sign in reading.value)
 
 
 def _escaped(text: str) -> str:
     return text.replace("&", "&amp;").replace("<", "&lt;")
-
-
-def _is_ipa(mark: Stretch) -> bool:
-    return len(mark.value) > 1 and mark.value.startswith("/") and mark.value.endswith("/")
-
-
-def _ipa(mark: Stretch) -> str:
-    return mark.value[1:-1]
 
 
 def _check_kanji(piece: Piece, manner: Manner) -> None:
@@ -111,7 +104,7 @@ def _check_kanji(piece: Piece, manner: Manner) -> None:
             raise VoiceFailure(reason, "FS502")
 
 
-def _check_said(sound: Sound, sent: Sent, piece: Piece, mark: Stretch) -> None:
+def _check_said(sound: Sound, sent: Sent, piece: Piece, mark: Stretch, ipa: str) -> None:
     """The voice skips a sound that it does not have: fewer are heard than were written."""
     span = range(mark.start - piece.first, mark.end - piece.first)
     said = "".join(
@@ -119,7 +112,7 @@ def _check_said(sound: Sound, sent: Sent, piece: Piece, mark: Stretch) -> None:
         for event in sound.events
         if event.kind == "phone" and _place(sent, event.place) in span and not event.symbol.startswith("(")
     )
-    if len(letters(said)) < len(letters(_ipa(mark))):
+    if len(letters(said)) < len(letters(ipa)):
         raise VoiceFailure(f"of `{mark.value}` this voice says only `/{said}/`", "FS502")
 
 

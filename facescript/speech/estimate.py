@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from facescript.ir.acts import Say
-from facescript.speech.ipa import mnemonics
-from facescript.speech.lines import Piece, is_han, is_letter, pieces, words
-from facescript.speech.model import PhoneTime, Spoken, VoiceFailure, WordTime
-from facescript.speech.syllables import numbered
-from facescript.speech.voices import MANDARIN, WORDS_A_MINUTE, pitch, rate
+from facescript.speech.lines import Piece, is_han, pieces, words
+from facescript.speech.model import PhoneTime, Spoken, WordTime
+from facescript.speech.readings import check_readings
+from facescript.speech.voices import WORDS_A_MINUTE, pitch, rate
 
 EDGE = 0.05
 """Seconds of quiet around a piece."""
@@ -39,7 +38,7 @@ class EstimatedVoice:
     def speak(self, line: Say) -> Spoken:
         pace = WORDS_A_MINUTE / rate(line.voice.rate)
         pitch(line.voice.pitch)
-        _check_readings(line)
+        check_readings(line)
         at = 0.0
         times: list[WordTime] = []
         for part in pieces(line):
@@ -50,20 +49,6 @@ class EstimatedVoice:
                 times += found
                 at = found[-1].end + EDGE * pace
         return Spoken(b"", 22_050, at, tuple(times), (PhoneTime("", 0.0, at),), estimated=True)
-
-
-def _check_readings(line: Say) -> None:
-    mandarin = line.voice.language.lower() in MANDARIN
-    for mark in line.stretches:
-        if mark.kind != "reading":
-            continue
-        if mandarin:
-            for syllable in mark.value.split():
-                numbered(syllable)
-        elif len(mark.value) > 1 and mark.value[0] == mark.value[-1] == "/":
-            mnemonics(mark.value[1:-1])
-        elif not any(map(is_letter, mark.value)):
-            raise VoiceFailure(f"`{mark.value}` has no letter in it", "FS502")
 
 
 def _timed(piece: Piece, at: float, pace: float, language: str) -> list[WordTime]:

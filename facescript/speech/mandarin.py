@@ -128,7 +128,7 @@ def _foreign(piece: Piece, at: int) -> Unit | None:
     end = at
     for index in range(at, len(piece.text)):
         sign = piece.text[index]
-        if is_han(sign) or sign.isdigit() or sign in MARKS:
+        if is_han(sign) or sign.isdecimal() or sign in MARKS:
             break
         if is_letter(sign):
             end = index + 1

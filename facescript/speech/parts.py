@@ -59,8 +59,13 @@ def trimmed(part: Part, sounding: tuple[float, float]) -> Part:
     moved = shifted(part, -first / RATE)
     total = (last - first) / RATE
     kept = (replace(phone, start=max(phone.start, 0.0), end=min(phone.end, total)) for phone in moved.phones)
-    words = (replace(word, start=max(word.start, 0.0), end=min(word.end, total)) for word in moved.words)
+    words = (replace(word, start=_inside(word.start, total), end=_inside(word.end, total)) for word in moved.words)
     return Part(part.pcm[BYTES * first : BYTES * last], tuple(words), tuple(p for p in kept if p.end > p.start))
+
+
+def _inside(time: float, total: float) -> float:
+    """A word that the voice leaves out at the end may stand in the quiet that is cut off."""
+    return min(max(time, 0.0), total)
 
 
 def shifted(part: Part, by: float) -> Part:

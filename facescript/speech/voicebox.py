@@ -12,6 +12,7 @@ from facescript.speech.espeak import Espeak
 from facescript.speech.lines import Piece, pieces
 from facescript.speech.model import Spoken, VoiceBox
 from facescript.speech.parts import Part, joined, spoken
+from facescript.speech.readings import check_readings
 from facescript.speech.voices import MANDARIN, Voices, voices
 
 LARGEST_CACHE = 256 * 1024 * 1024
@@ -51,6 +52,7 @@ class EspeakVoice:
 
     def _spoken(self, line: Say) -> Spoken:
         found = pieces(line)
+        check_readings(line)
         self.voices().manner(line.voice)
         return spoken(joined([part if isinstance(part, float) else self._piece(line, part) for part in found]))
 

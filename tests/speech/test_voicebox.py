@@ -6,6 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from saying import line, over, phones_of, words_of
 
 from facescript.ir.acts import Say, Stretch, Voice
@@ -186,3 +188,31 @@ def test_the_list_of_voices_names_languages_and_variants() -> None:
     assert listed["en-gb"] == "English (Great Britain)"
     assert listed["female"] == "variant"
     assert len(listed) > 200
+
+
+FRAGMENTS = (
+    "abc XYZ éñß 123 1,2.5 % & < > [[ ]] ] / ' ’ … — 长城 覺 かな カナ 한국어 हिन्दी ไทย عربى русский \n\x01 😀 ½ ² ١٢ <b> "
+    "</emphasis> ʃ ǃ 嗯 儿 \u0301 \u202e Ⅻ ２０ 。 ！"
+).split(" ")
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.lists(st.sampled_from(FRAGMENTS), min_size=1, max_size=8),
+    st.sampled_from(["en-us", "cmn", "ja", "de", "hi", "th", "ko", "ar"]),
+    st.data(),
+)
+def test_any_text_is_spoken_or_refused(fragments: list[str], language: str, data: st.DataObject) -> None:
+    text = data.draw(st.sampled_from(["", " "])).join(fragments)
+    start = data.draw(st.integers(0, len(text)))
+    marks = (Stretch("stress", start, len(text)), Stretch("pause", start, start, "0.2")) if start < len(text) else ()
+    try:
+        spoken = open_voice().speak(line(text, language, *marks))
+    except VoiceFailure as failure:
+        assert failure.code in ("FS502", "FS503")
+        return
+    assert spoken.words
+    assert all(text[word.first : word.last] == word.text for word in spoken.words)
+    moments = [moment for word in spoken.words for moment in (word.start, word.end)]
+    assert all(one <= two + 1e-9 for one, two in pairwise([0.0, *moments, spoken.duration]))
+    assert all(one.end <= two.start + 1e-9 for one, two in pairwise(spoken.phones))
