@@ -91,7 +91,7 @@ def _faces(
     rows = list(zip(job.stage.owners, shapes, moving.outlines, moving.opacities, moving.carried, strict=True))
     clips = {name for shape in shapes for name in shape.clip}
     for (owner, backdrop), part in groupby(rows, key=lambda row: (row[0], row[1].group == BACKDROP)):
-        face = svg("g", class_="backdrop" if backdrop else "face", data_face=owner, transform=f"scale({QUANTUM})")
+        face = svg("g", class_="backdrop" if backdrop else "figure", data_face=owner, transform=f"scale({QUANTUM})")
         for (group, carrier), layer in groupby(part, key=lambda row: (row[1].group, row[4])):
             element = svg("g", class_=group)
             carry(element, moving.carriers[carrier], clock)

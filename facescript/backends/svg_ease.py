@@ -22,6 +22,9 @@ SLOPES = (0.0, 0.3, 0.6, 1.0, 1.5, 2.2, 3.2)
 PULLS = (0.1, 0.22, 0.35, 0.5, 0.65, 0.8, 1.0)
 """How far along the way its handles lie."""
 
+LOOKS = 9
+"""Rows by which an ease is chosen; all rows are held to the tolerance afterwards."""
+
 WIDE = 1.6
 """Tolerances beyond which no choice of the end can make a way straight enough."""
 
@@ -105,9 +108,10 @@ def _fit(times: Floats, away: Floats, tolerance: float) -> tuple[Spline, Floats]
     if _apart(away - shares[:, None] * goal) > WIDE * tolerance:
         return None
     eases, curves = _eases()
-    drawn = _read(curves, times / times[-1])
-    best = int(np.abs(drawn - shares).max(axis=1).argmin())
-    course = drawn[best]
+    along = times / times[-1]
+    some = np.unique(np.linspace(0, len(times) - 1, LOOKS).astype(np.intp))
+    best = int(np.abs(_read(curves, along[some]) - shares[some]).max(axis=1).argmin())
+    course = _read(curves[best : best + 1], along)[0]
     end = np.rint(course @ away / (course @ course))
     return (eases[best], end) if _apart(away - course[:, None] * end) <= tolerance else None
 

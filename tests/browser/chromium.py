@@ -42,7 +42,7 @@ class Page:
         words = [binary, *flags, f"--user-data-dir={self.folder}", f"--window-size={width},{height}", "about:blank"]
         self.process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.number = 0
-        self.socket = connect(self._target(), max_size=None, compression=None)
+        self.socket = connect(self._target(), max_size=None, compression=None, legacy=True)
         self.call("Page.enable")
         metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
         self.call("Emulation.setDeviceMetricsOverride", **metrics)

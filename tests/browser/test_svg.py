@@ -67,7 +67,7 @@ def test_looks_like_our_frames(evening: Path, tmp_path: Path) -> None:
         duration = float(page.run("document.documentElement.getAttribute('data-duration')"))
         page.run("document.querySelector('.play').remove(); document.documentElement.pauseAnimations()")
         boxes = page.run(
-            "[...document.querySelectorAll('.face')].map(g => g.getBoundingClientRect())"
+            "[...document.querySelectorAll('.figure')].map(g => g.getBoundingClientRect())"
             ".map(b => [b.left, b.top, b.right, b.bottom])"
         )
         assert len(boxes) == 2
