@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.play import Face, Play
@@ -21,7 +21,7 @@ from facescript.schedule.presence import Presence
 from facescript.schedule.round import Round
 from facescript.schedule.rules import Times
 from facescript.schedule.score import Score
-from facescript.schedule.steps import NEVER, Maker, TooMany
+from facescript.schedule.steps import NEVER, Key, Maker, TooMany
 from facescript.schedule.voices import Voices
 from facescript.schedule.writing import Writing
 from facescript.space.plan import GazePlan
@@ -54,6 +54,7 @@ class _Scheduler:
     concrete: Concrete = field(init=False)
     room: Room = field(init=False)
     faces: dict[str, Face] = field(init=False)
+    labels: Labels = field(default_factory=Labels)
     faults: Faults = field(default_factory=Faults)
     idle: list[Deed] = field(default_factory=list)
     drops: dict[int, tuple[Term, ...]] = field(default_factory=dict)
@@ -87,8 +88,10 @@ class _Scheduler:
             work += MOST - solved.maker.left + REACTION * len(solved.reactions) + 1
             if self.faults.failed or self.voices.failures:
                 return None
-            learned = self._learn(solved)
-            work += LOOK * len(self.plans)
+            learned = self._heard(solved, facts)
+            if learned == facts:
+                learned = replace(facts, looks=self._seen(solved))
+                work += LOOK * len(self.plans)
             if learned == facts:
                 return solved
             facts = learned
@@ -99,21 +102,25 @@ class _Scheduler:
         self.faults = Faults()
         events = Events(self.play, self.concrete, self.faults)
         presence = Presence(self.room, events.comings(), facts.scenes)
-        times = Times(Lengths(self.concrete, presence, facts), self.voices, Labels(), self.faults)
+        times = Times(Lengths(self.concrete, presence, facts), self.voices, self.labels, self.faults)
         long = NEVER if self.play.film.long is None else self.play.film.long
         solved = Round(self.play, times, Maker(self.play.film.seed, MOST), long)
         solved.run(events.triggers(presence, min(long, max(facts.until, events.last))))
         return solved
 
-    def _learn(self, solved: Round) -> Facts:
-        """Plan the gaze, and see who speaks when."""
+    def _heard(self, solved: Round, facts: Facts) -> Facts:
+        """Who speaks when. Gaze is planned only once that is known."""
+        learned = replace(facts, delays=solved.delays(), holds=solved.holds())
+        if any(reaction.event.kind == "nearest" for reaction in self.play.reactions):
+            learned.scenes, learned.until = solved.starts(), solved.natural_end()
+        return learned
+
+    def _seen(self, solved: Round) -> dict[Key, float]:
+        """How long the looks take, by the plan of all gaze."""
         starts = solved.starts()
         self.drops, self.idle = take_off((deed, scene_at(starts, deed)) for deed in solved.done)
         self.plans = Gaze(self.faces, solved.times.lengths.presence, self.play.film.seed).plan(solved.done, starts)
-        facts = Facts(landings(solved.done, self.plans), solved.delays(), solved.holds())
-        if any(reaction.event.kind == "nearest" for reaction in self.play.reactions):
-            facts.scenes, facts.until = starts, solved.natural_end()
-        return facts
+        return landings(solved.done, self.plans)
 
     def _check(self, solved: Round) -> None:
         """Report what cannot be at one time, and what is left out."""
