@@ -99,14 +99,14 @@ class Espeak:
     def _ask(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
         with self._lock:
             process = self._running()
-            clock = threading.Timer(self._seconds, process.kill)
+            late = threading.Event()
+            clock = threading.Timer(self._seconds, _end, (process, late))
             clock.start()
             try:
                 head, pcm = _exchange(process, request)
             except (OSError, ValueError, EOFError):
-                late = not clock.is_alive()
                 self.close()
-                raise VoiceFailure(_broken(late, self._seconds)) from None
+                raise VoiceFailure(_broken(late.is_set(), self._seconds)) from None
             finally:
                 clock.cancel()
         if "failure" in head:
@@ -128,8 +128,14 @@ class Espeak:
         except OSError as fault:
             raise VoiceFailure(f"it cannot be started: {fault.strerror}") from None
         self._owner = os.getpid()
+        atexit.unregister(self.close)
         atexit.register(self.close)
         return self._process
+
+
+def _end(process: subprocess.Popen[bytes], late: threading.Event) -> None:
+    late.set()
+    process.kill()
 
 
 def _exchange(process: subprocess.Popen[bytes], request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:

@@ -64,13 +64,17 @@ class EspeakVoice:
 
 
 @cache
+def _voice() -> EspeakVoice:
+    return EspeakVoice(Espeak())
+
+
 def open_voice() -> VoiceBox:
     """The voice of this process; the synthesiser starts with the first line."""
-    return EspeakVoice(Espeak())
+    return _voice()
 
 
 def list_voices() -> tuple[tuple[str, str], ...]:
     """Codes of languages with their full names, then variants, as `voice CODE VARIANT` takes them."""
-    found = EspeakVoice(Espeak()).voices()
+    found = _voice().voices()
     variants = sorted(set(found.variants.values()), key=str.lower)
     return (*sorted(found.titles.items()), *((name, "variant") for name in ("female", "male", *variants)))

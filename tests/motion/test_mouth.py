@@ -76,6 +76,18 @@ def test_lips_are_shut_for_p_b_and_m(language: str, rate: float) -> None:
 
 @SPEAKS
 @pytest.mark.parametrize("rate", [0.6, 1.0, 1.6])
+def test_lips_are_shut_before_a_mandarin_b_p_or_m_parts_them(rate: float) -> None:
+    timed = spoken_line("爸爸妈妈买苹果，跑步把包放在北边。", "cmn", rate)
+    track = MouthTrack((timed,))
+    closures = [phone for phone in timed.spoken.phones if phone.symbol == "zh:m"]
+    assert len(closures) == 12
+    for phone in closures:
+        gap = track.sample(timed.start + np.linspace(phone.end - 0.045, phone.end, 50)[1:-1])[0][:, OPEN]
+        assert np.all(gap == 0), phone
+
+
+@SPEAKS
+@pytest.mark.parametrize("rate", [0.6, 1.0, 1.6])
 def test_vowels_between_closures_open(rate: float) -> None:
     timed = spoken_line("Papa, Mama, baby, Bob.", "en-us", rate)
     track = MouthTrack((timed,))
