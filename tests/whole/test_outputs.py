@@ -29,7 +29,7 @@ def test_example_builds(example: str, tmp_path: Path, capsys: pytest.CaptureFixt
     outputs = [word for kind in ("csv", "json") for word in ("-o", str(tmp_path / f"out.{kind}"))]
     assert main(["build", example, *outputs, "--quiet"]) == 0
     assert "warning" not in capsys.readouterr().err
-    assert main(["build", example, "-o", str(tmp_path / "out.png"), "--at", "1s", "--size", "320x240"]) == 0
+    assert main(["build", example, "-o", str(tmp_path / "out.png"), "--at", "300ms", "--size", "320x240"]) == 0
 
 
 @pytest.mark.parametrize("example", EXAMPLES)
