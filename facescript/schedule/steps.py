@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
-from facescript.ir.acts import At, Choose, Do, Node, Repeat, Say, Sequence, Together, Verb
+from facescript.ir.acts import At, Choose, Do, Gesture, Node, Repeat, Say, Sequence, Together, Verb
 from facescript.ir.random import chance
 
 START, SETTLED, DONE = range(3)
@@ -182,7 +182,8 @@ class Step:
 
 def _kind(node: Node) -> str:
     if isinstance(node, Do):
-        return f"{type(node.verb).__name__} {node.face}"
+        kind = node.verb.kind if isinstance(node.verb, Gesture) else type(node.verb).__name__
+        return f"{kind} {node.face}"
     return type(node).__name__
 
 
