@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from facescript.ir.play import Crowd
 from facescript.ir.values import Aim, Amount, AtCamera, AtFace, AtPerson, AtTarget, Away, Towards
+from facescript.resolve.arithmetic import scaled
 from facescript.resolve.names import Definition
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader, spelled
 from facescript.resolve.scope import Scope, expand, inside, person
-from facescript.resolve.sums import read_quantity, scaled
+from facescript.resolve.sums import read_quantity
 from facescript.resolve.units import ANGLE, article
 from facescript.resolve.words import DIRECTIONS, PARTS
 from facescript.syntax.tree import Bracket, Dotted, Name, Operator, Quantity, Word

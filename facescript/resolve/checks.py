@@ -7,15 +7,16 @@ from contextlib import suppress
 
 from facescript.resolve.actions import Statements
 from facescript.resolve.arguments import unbound
+from facescript.resolve.arithmetic import bounds
 from facescript.resolve.labels import gather
 from facescript.resolve.lives import preset
-from facescript.resolve.mixes import is_shown, mix
+from facescript.resolve.mixes import check_expression, is_shown, mix
 from facescript.resolve.names import Definition
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader
 from facescript.resolve.scope import GLOBAL, Scope, expand
-from facescript.resolve.sums import bounds, left_over, ranged
+from facescript.resolve.sums import left_over, ranged
 from facescript.syntax import tree
 
 PLAIN = (tree.Colour, tree.String)
@@ -39,8 +40,7 @@ def _check(project: Project, definition: Definition, statements: Statements, cas
         for parameter in node.parameters:
             if parameter.default is not None:
                 _value(project, parameter.default)
-        with project.entering(definition, definition.span):
-            mix(project, node.value.words, unbound(node.parameters), node.value.span)
+        check_expression(project, definition, unbound(node.parameters))
     elif isinstance(node, tree.ActionDefinition) and not definition.used:
         _action(project, definition, node, statements, cast)
     elif isinstance(node, tree.Declaration) and node.kind == "life":

@@ -120,20 +120,11 @@ def _miswritten(project: Project, reader: Reader, form: str) -> Refused:
     return project.refuse("FS312", span, text=span.text, advice=f"it is written {form}")
 
 
-def check_reached(project: Project, reactions: list[Reaction], events: list[Event]) -> None:
-    """Tells of reactions that no scripted event starts: a build never plays them."""
-    for item in reactions:
-        if not any(_starts(event, item.event) for event in events):
-            project.report("FS808", _header(item.span))
-
-
-def _starts(event: Event, pattern: EventPattern) -> bool:
-    if pattern.kind == "nearest":
-        return event.kind in ("arrives", "leaves")
-    return event.kind == pattern.kind and event.text == pattern.text
-
-
-def _header(span: Span) -> Span:
-    """The first line of a block."""
-    end = span.source.text.find("\n", span.start, span.end)
-    return Span(span.source, span.start, span.end if end < 0 else end)
+def check_reached(project: Project, reactions: list[tuple[tree.When, Reaction]], events: list[Event]) -> None:
+    """Tells of reactions to what no scripted event is like: a build never plays them."""
+    scripted = {event.kind for event in events}
+    if scripted & {"arrives", "leaves"}:
+        scripted.add("nearest")
+    for node, found in reactions:
+        if found.event.kind not in scripted:
+            project.report("FS808", Span(node.span.source, node.span.start, node.event.span.end))

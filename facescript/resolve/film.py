@@ -12,7 +12,7 @@ from facescript.resolve.scope import GLOBAL
 from facescript.resolve.suggest import nearest
 from facescript.resolve.suggest import replace as written_as
 from facescript.resolve.sums import number
-from facescript.resolve.units import COUNT, FRAMES, LENGTH, SHARE, TIME
+from facescript.resolve.units import COUNT, FRAMES, LENGTH, SHARE, TIME, UNITS
 from facescript.resolve.words import FILM
 from facescript.syntax.tree import Integer, Name, Quantity, Setting, Size, Word
 from facescript.text import Span
@@ -62,7 +62,7 @@ def _which(project: Project, words: tuple[Word, ...], span: Span) -> tuple[str, 
     """The setting that words are, and its value."""
     if len(words) == 1 and isinstance(words[0], Size):
         return "size", words
-    if len(words) == 1 and isinstance(words[0], Quantity) and words[0].unit == "fps":
+    if len(words) == 1 and isinstance(words[0], Quantity) and (words[0].unit == "fps" or words[0].unit not in UNITS):
         return "rate", words
     row, value = match(words, {name: row for name, row in FILM.items() if name not in ("size", "rate")})
     if row is not None:

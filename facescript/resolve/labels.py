@@ -27,7 +27,8 @@ def _declare(project: Project, labels: Labels, name: tree.Name) -> None:
     if earlier is None:
         definition = project.names.written.get(name.text)
         earlier = definition.span if definition is not None else None
-        labels.names[name.text] = name.span
+        if earlier is None:
+            labels.names[name.text] = name.span
     if earlier is not None and earlier != name.span:
         project.report("FS208", name.span, related=(Related(earlier, "it is here already"),), name=name.text)
     elif name.text in project.names.library:

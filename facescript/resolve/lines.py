@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import pairwise
 
-from facescript.diagnostics.model import Edit, Fix
+from facescript.diagnostics.model import Fix
 from facescript.ir.values import Amount
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader, over
@@ -46,17 +46,11 @@ class Line:
         faulty = False
         for number, phrase in enumerate(phrases):
             for place, words in enumerate(segments(phrase.words)):
+                if number == place == 0:
+                    self.head = words
+                    continue
                 try:
-                    if "as" in self.parts:
-                        self._after_label(words)
-                    if place == 0 and number == 0:
-                        self.head = words
-                    elif place == 0 and not _direct(words):
-                        self.take(words)
-                    else:
-                        if place == 0:
-                            self._comma_too_many(phrases[number - 1].span, words)
-                        self.take(words)
+                    self.take(words)
                 except Refused:
                     faulty = True
         if faulty:
@@ -90,29 +84,12 @@ class Line:
                 clause, fixes = f"; did you mean `{candidate}`?", (replace(first.span, candidate),)
         return self.project.refuse("FS308", span, fixes=fixes, text=span.text, called=self.called, meant=clause)
 
-    def _after_label(self, words: Words) -> None:
-        self.project.report("FS327", over(words), text=over(words).text)
-
-    def _comma_too_many(self, before: Span, words: Words) -> None:
-        comma = Span(before.source, before.end, words[0].span.start)
-        fix = Fix("leave the comma out", (Edit(comma, " "),))
-        self.project.report("FS311", over(words), fixes=(fix,), text=over(words).text, advice="without a comma")
-
     def finish(self, reader: Reader) -> None:
-        """Takes what stands in the head behind the verb's own words: a modifier whose comma is missing, or a fault."""
+        """Refuses words in the head behind the verb's own."""
         rest = reader.rest()
-        if not rest:
-            return
-        row, _ = match(rest, self.rows)
-        if row is None or row.name in self.spans:
-            raise self.project.refuse(
-                "FS312", over(rest), text=over(rest).text, advice=f"nothing more can stand behind `{self.called}` here"
-            )
-        before = reader.words[reader.index - 1].span if reader.index else rest[0].span
-        gap = Span(before.source, before.end, rest[0].span.start)
-        fix = Fix("put a comma", (Edit(gap, ", "),))
-        self.project.report("FS311", over(rest), fixes=(fix,), text=over(rest).text, advice="after a comma")
-        self.take(rest)
+        if rest:
+            advice = f"nothing more can stand behind `{self.called}` here"
+            raise self.project.refuse("FS312", over(rest), text=over(rest).text, advice=advice)
 
     # -------------------------------------------------------------------------------------------- values
 
@@ -178,7 +155,3 @@ def _fit(texts: list[str], pattern: tuple[str, ...]) -> tuple[int, int] | None:
     if tail and texts[-tail:] != list(pattern[-tail:]):
         return None
     return lead, len(texts) - tail
-
-
-def _direct(words: Words) -> bool:
-    return isinstance(words[0], Name) and words[0].text in DIRECT

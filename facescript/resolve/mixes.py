@@ -5,12 +5,13 @@ from __future__ import annotations
 from facescript.ir.values import Amount, Draw, Driver, Mix, Term
 from facescript.performance.channels import SIDES
 from facescript.resolve.arguments import bind
+from facescript.resolve.arithmetic import bounds, scaled
 from facescript.resolve.drivers import PRIMITIVES, Primitive, side_of
 from facescript.resolve.names import Definition
-from facescript.resolve.project import MOST_CALLS, Project
+from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader, spelled
 from facescript.resolve.scope import GLOBAL, Scope, expand, inside
-from facescript.resolve.sums import bounds, left_over, read_degree, scaled
+from facescript.resolve.sums import left_over, read_degree
 from facescript.resolve.units import SHARE, article
 from facescript.resolve.words import undrawable
 from facescript.syntax.tree import Bracket, Call, Dotted, ExpressionDefinition, Integer, Name, Operator, Quantity, Word
@@ -104,9 +105,7 @@ def _called(project: Project, reader: Reader, word: Call, sign: float) -> Term:
     definition, _ = find_expression(project, word.name)
     if not isinstance(definition.node, ExpressionDefinition):
         raise AssertionError
-    project.calls += 1
-    if project.calls > MOST_CALLS:
-        raise project.refuse("FS322", word.span, most=MOST_CALLS, what="calls of expressions")
+    project.called(word.span)
     given = [(argument.name, argument.value.words, argument.span) for argument in word.arguments]
     scope = bind(project, definition.node.parameters, given, reader.scope, word.span, definition.name)
     with project.entering(definition, word.span):
@@ -188,6 +187,14 @@ def _whole(project: Project, definition: Definition, span: Span) -> tuple[Driver
     scope = bind(project, node.parameters, [], GLOBAL, span, definition.name) if node.parameters else GLOBAL
     with project.entering(definition, span):
         return _flattened(project, mix(project, node.value.words, scope, node.value.span), node.value.span)
+
+
+def check_expression(project: Project, definition: Definition, scope: Scope) -> None:
+    """Reads the definition of an expression, its parameters as `scope` has them. Raises `Refused`."""
+    node = definition.node
+    assert isinstance(node, ExpressionDefinition)
+    with project.entering(definition, definition.span):
+        _flattened(project, mix(project, node.value.words, scope, node.value.span), node.value.span)
 
 
 def _flattened(project: Project, inner: Mix, span: Span) -> tuple[Driver, ...]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from math import cos, radians, sin
 
 from facescript.ir.values import PicturePlace, Point
+from facescript.resolve.arithmetic import Value
 from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
 from facescript.resolve.scope import Scope
-from facescript.resolve.sums import Value, left_over, primary
+from facescript.resolve.sums import left_over, primary
 from facescript.resolve.units import ANGLE, LENGTH, SHARE
 from facescript.syntax import tree
 from facescript.text import Span

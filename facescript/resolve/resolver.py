@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from facescript.diagnostics.catalogue import diagnose
@@ -17,11 +18,11 @@ from facescript.resolve.faces import default_face, face
 from facescript.resolve.film import film
 from facescript.resolve.lives import preset
 from facescript.resolve.marks import check_marks
-from facescript.resolve.project import MOST_NODES, Project, Refused, TooMuch
+from facescript.resolve.project import Project, Refused, TooMuch, spoilt_lines
 from facescript.resolve.scenes import main_scene, opening, scenes
 from facescript.resolve.suggest import meant
 from facescript.resolve.targets import target
-from facescript.resolve.uses import library, used
+from facescript.resolve.uses import DEFINITIONS, library, used
 from facescript.syntax import tree
 from facescript.syntax.parser import parse_phrases
 from facescript.text import Source, Span
@@ -41,7 +42,8 @@ def resolve(
     try:
         play = _resolved(project, script, overrides)
     except TooMuch as fault:
-        diagnostics.add(diagnose("FS322", fault.args[0], most=MOST_NODES, what="statements"))
+        span, most, what = fault.args
+        diagnostics.add(diagnose("FS322", span, most=most, what=what))
         return None
     return None if diagnostics.failed else play
 
@@ -58,7 +60,8 @@ def _resolved(project: Project, script: tree.Script, overrides: Mapping[str, str
     reactions = _reactions(project, script, scripted)
     check_marks(project)
     check_definitions(project, statements, tuple(project.faces))
-    check_unused(project, script)
+    if any(not isinstance(item, DEFINITIONS) for item in script.items):
+        check_unused(project, script)
     return Play(
         project.film,
         tuple(project.faces.values()),
@@ -82,6 +85,7 @@ def _has_scenes(script: tree.Script) -> bool:
 def _define(project: Project, script: tree.Script, overrides: Mapping[str, str]) -> None:
     others = used(project, script)
     project.spoilt = script.lost.union(*(other.lost for other in others))
+    project.spoilt_lines = spoilt_lines(project.diagnostics)
     for other in others:
         collect(project, other, own=False)
     collect(project, script, own=True)
@@ -127,11 +131,12 @@ def _people(project: Project, script: tree.Script) -> None:
 
 
 def _lives(project: Project) -> tuple[tuple[str, Life], ...]:
-    return tuple(
-        (definition.name, preset(project, definition.name, definition.span))
-        for definition in project.names.written.values()
-        if definition.kind == "life"
-    )
+    found = []
+    for definition in project.names.written.values():
+        if definition.kind == "life":
+            with suppress(Refused):
+                found.append((definition.name, preset(project, definition.name, definition.span)))
+    return tuple(found)
 
 
 # ------------------------------------------------------------------------------------------------ events
@@ -140,19 +145,15 @@ def _lives(project: Project) -> tuple[tuple[str, Life], ...]:
 def _events(project: Project, settings: list[tree.Setting]) -> list[Event]:
     found = []
     for setting in settings:
-        try:
+        with suppress(Refused):
             found.append(events.event(project, setting))
-        except Refused:
-            continue
     return found
 
 
 def _reactions(project: Project, script: tree.Script, scripted: list[Event]) -> list[Reaction]:
-    found: list[Reaction] = []
+    found: list[tuple[tree.When, Reaction]] = []
     for node in (item for item in script.items if isinstance(item, tree.When)):
-        try:
-            found.append(events.reaction(project, node, tuple(project.faces), len(found) + 1))
-        except Refused:
-            continue
+        with suppress(Refused):
+            found.append((node, events.reaction(project, node, tuple(project.faces), len(found) + 1)))
     events.check_reached(project, found, scripted)
-    return found
+    return [reaction for _, reaction in found]

@@ -147,11 +147,8 @@ def _cell(project: Project, word: Name | Dotted, row: Row) -> Expansion:
 def inside(project: Project, expansion: Expansion, span: Span) -> Iterator[None]:
     """While what a name stands for is read: circles are found, and faults in a cell are told where it is used."""
     if expansion.cell is not None:
-        project.cells.append(expansion.cell)
-        try:
+        with project.blaming(expansion.cell):
             yield
-        finally:
-            project.cells.pop()
     elif expansion.definition is not None:
         with project.entering(expansion.definition, span):
             yield

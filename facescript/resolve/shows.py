@@ -6,6 +6,7 @@ from typing import Literal, cast
 
 from facescript.ir.acts import Add, Drop, Gesture, Show, Timing
 from facescript.ir.values import Amount, Mix, Term
+from facescript.resolve.arithmetic import bounds
 from facescript.resolve.drivers import PRIMITIVES
 from facescript.resolve.lines import Line
 from facescript.resolve.mixes import expression_mix, find_expression, read_mix
@@ -14,7 +15,7 @@ from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader, spelled
 from facescript.resolve.scope import Scope, expand, inside
 from facescript.resolve.suggest import nearest
-from facescript.resolve.sums import bounds, read_quantity
+from facescript.resolve.sums import read_quantity
 from facescript.resolve.units import SHARE, TIME
 from facescript.resolve.words import EASES
 from facescript.syntax.tree import Call, Dotted, Name, Word

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
-from facescript.ir.values import Amount, Draw, Mark, Moment
+from facescript.diagnostics.model import Fix
+from facescript.ir.values import Amount, Draw, Moment
+from facescript.resolve.arithmetic import MOMENT, Value, added, checked, drawn, multiplied
 from facescript.resolve.marks import mark_of
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader, over, spelled
@@ -13,27 +14,13 @@ from facescript.resolve.scope import Scope, expand, inside
 from facescript.resolve.suggest import replace
 from facescript.resolve.units import (
     COUNT,
-    EXAMPLES,
-    LARGEST,
-    SHARE,
+    MENDS,
     TIME,
     UNITS,
-    USUAL_UNIT,
     article,
-    written,
 )
 from facescript.syntax.tree import Bracket, Dotted, Integer, Name, Quantity, Word
 from facescript.text import Span
-
-
-@dataclass(frozen=True, slots=True)
-class Value:
-    """A quantity: an amount in base units, what it measures, and the mark it counts from if it is a moment."""
-
-    amount: Amount
-    kind: str
-    span: Span
-    mark: Mark | None = None
 
 
 def quantity(
@@ -67,22 +54,7 @@ def read_quantity(
 ) -> Amount:
     """Reads an amount of `kind` (`20% to 40%` is a draw); leaves the words behind it. Raises `Refused`."""
     value = ranged(project, reader)
-    if value.mark is not None:
-        raise project.refuse("FS328", value.span, text=value.span.text, example=EXAMPLES[kind])
     return checked(project, value, kind, least, draws)
-
-
-def checked(project: Project, value: Value, kind: str, least: float | None, draws: bool) -> Amount:
-    if value.kind != kind:
-        raise _wrong_unit(project, value, kind)
-    if isinstance(value.amount, Draw) and not draws:
-        raise project.refuse("FS307", value.span, text=value.span.text)
-    low, high = bounds(value.amount)
-    bottom = -LARGEST[kind] if least is None else least
-    if low < bottom or high > LARGEST[kind]:
-        limits = f"{written(kind, bottom)} to {written(kind, LARGEST[kind])}"
-        raise project.refuse("FS304", value.span, text=value.span.text, limits=limits)
-    return value.amount
 
 
 def moment(project: Project, words: tuple[Word, ...], scope: Scope, span: Span) -> Moment:
@@ -91,7 +63,7 @@ def moment(project: Project, words: tuple[Word, ...], scope: Scope, span: Span) 
     value = ranged(project, reader)
     left_over(project, reader)
     least = 0.0 if value.mark is None else None
-    return Moment(checked(project, value, TIME, least, draws=True), value.mark)
+    return Moment(checked(project, value, MOMENT, least, draws=True), value.mark)
 
 
 def left_over(project: Project, reader: Reader) -> None:
@@ -101,110 +73,34 @@ def left_over(project: Project, reader: Reader) -> None:
         raise project.refuse("FS312", over(reader.rest()), text=text, advice="nothing more can stand here")
 
 
-def bounds(amount: Amount) -> tuple[float, float]:
-    return (amount.low, amount.high) if isinstance(amount, Draw) else (amount, amount)
-
-
-def scaled(amount: Amount, factor: float) -> Amount:
-    if isinstance(amount, Draw):
-        low, high = sorted((amount.low * factor, amount.high * factor))
-        return Draw(low, high)
-    return amount * factor
-
-
 # ------------------------------------------------------------------------------------------------ the arithmetic
 
 
 def ranged(project: Project, reader: Reader) -> Value:
     value = _total(project, reader)
-    return _drawn(project, reader, value, _total(project, reader)) if reader.word("to") else value
+    return drawn(project, value, _total(project, reader)) if reader.word("to") else value
 
 
 def read_degree(project: Project, reader: Reader, kind: str) -> Amount:
     """Reads the amount behind a name of a sum (`smile warmth * 2 + ...`): products, but no sum outside brackets."""
     value = _product(project, reader)
     if reader.word("to"):
-        value = _drawn(project, reader, value, _product(project, reader))
-    if value.mark is not None:
-        raise project.refuse("FS328", value.span, text=value.span.text, example=EXAMPLES[kind])
+        value = drawn(project, value, _product(project, reader))
     return checked(project, value, kind, None, draws=True)
-
-
-def _drawn(project: Project, reader: Reader, low: Value, high: Value) -> Value:
-    span = low.span.to(high.span)
-    if low.kind != high.kind:
-        raise _mismatch(project, "to", low, high, span)
-    if isinstance(low.amount, Draw) or isinstance(high.amount, Draw) or low.mark or high.mark:
-        raise project.refuse("FS306", span, text=span.text, reason="`to` stands between two plain quantities")
-    if low.amount > high.amount:
-        raise project.refuse("FS306", span, text=span.text, reason="the smaller amount stands first")
-    return Value(Draw(low.amount, high.amount), low.kind, span)
 
 
 def _total(project: Project, reader: Reader) -> Value:
     value = _product(project, reader)
     while sign := reader.operator("+", "-"):
-        value = _added(project, value, _product(project, reader), sign)
+        value = added(project, value, _product(project, reader), sign)
     return value
 
 
 def _product(project: Project, reader: Reader) -> Value:
     value = primary(project, reader)
     while sign := reader.operator("*", "/"):
-        value = _multiplied(project, value, primary(project, reader), sign)
+        value = multiplied(project, value, primary(project, reader), sign)
     return value
-
-
-def _added(project: Project, first: Value, second: Value, sign: str) -> Value:
-    span = _joined(first, second)
-    if first.kind != second.kind:
-        raise _mismatch(project, sign, first, second, span)
-    if second.mark and (first.mark or sign == "-"):
-        reason = "a moment takes one mark, and times added to it or taken from it"
-        raise project.refuse("FS306", span, text=span.text, reason=reason)
-    if isinstance(first.amount, Draw) and isinstance(second.amount, Draw):
-        raise project.refuse("FS306", span, text=span.text, reason="two draws cannot be added")
-    factor = 1.0 if sign == "+" else -1.0
-    amount = _sum(first.amount, scaled(second.amount, factor))
-    return Value(amount, first.kind, span, first.mark or second.mark)
-
-
-def _sum(first: Amount, second: Amount) -> Amount:
-    if isinstance(first, Draw) or isinstance(second, Draw):
-        low, high = bounds(first)
-        other_low, other_high = bounds(second)
-        return Draw(low + other_low, high + other_high)
-    return first + second
-
-
-def _multiplied(project: Project, first: Value, second: Value, sign: str) -> Value:
-    span = _joined(first, second)
-    if first.mark or second.mark:
-        raise project.refuse("FS306", span, text=span.text, reason="a moment cannot be multiplied")
-    if sign == "/":
-        return _divided(project, first, second, span)
-    if first.kind in (COUNT, SHARE) and (second.kind not in (COUNT, SHARE) or isinstance(second.amount, Draw)):
-        first, second = second, first
-    if second.kind not in (COUNT, SHARE):
-        reason = f"{article(first.kind)} cannot be multiplied by {article(second.kind)}"
-        raise project.refuse("FS306", span, text=span.text, reason=reason)
-    if isinstance(second.amount, Draw):
-        reason = "a draw cannot be a factor; draw between two products"
-        raise project.refuse("FS306", span, text=span.text, reason=reason)
-    kind = second.kind if first.kind == COUNT else first.kind
-    return Value(scaled(first.amount, second.amount), kind, span)
-
-
-def _divided(project: Project, first: Value, second: Value, span: Span) -> Value:
-    if isinstance(second.amount, Draw):
-        raise project.refuse("FS306", span, text=span.text, reason="a draw cannot divide")
-    if second.amount == 0.0:
-        raise project.refuse("FS306", span, text=span.text, reason="it divides by zero")
-    if second.kind not in (COUNT, SHARE, first.kind):
-        reason = f"{article(first.kind)} cannot be divided by {article(second.kind)}"
-        raise project.refuse("FS306", span, text=span.text, reason=reason)
-    kind = COUNT if second.kind == first.kind else first.kind
-    return Value(scaled(first.amount, 1.0 / second.amount), kind, span)
 
 
 def primary(project: Project, reader: Reader) -> Value:
@@ -217,7 +113,7 @@ def primary(project: Project, reader: Reader) -> Value:
         inner = Reader(word.inner.words, reader.scope, word.span)
         value = ranged(project, inner)
         left_over(project, inner)
-        return Value(value.amount, value.kind, word.span, value.mark)
+        return Value(value.amount, value.kind, word.span, value.mark, value.cell)
     if isinstance(word, Name | Dotted):
         return _named(project, word, reader.scope)
     span = word.span if word is not None else reader.span
@@ -226,11 +122,24 @@ def primary(project: Project, reader: Reader) -> Value:
 
 def _quantity(project: Project, word: Quantity) -> Value:
     unit = UNITS.get(word.unit)
+    if not word.unit:
+        if any(item.span == word.span for item in project.diagnostics):
+            raise Refused
+        return Value(word.value, COUNT, word.span)
     if unit is None:
-        known = ", ".join(f"`{name}`" for name in UNITS)
-        raise project.refuse("FS303", word.span, unit=word.unit, text=word.span.text, known=known)
+        raise _unknown_unit(project, word)
     amount = word.value * unit.times / unit.over
     return Value(_finite(project, amount, word.span), unit.kind, word.span)
+
+
+def _unknown_unit(project: Project, word: Quantity) -> Refused:
+    """Refuses a unit, with the quantity in a known one where that can be said."""
+    known = ", ".join(f"`{name}`" for name in UNITS)
+    fixes: tuple[Fix, ...] = ()
+    if word.unit in MENDS:
+        unit, times = MENDS[word.unit]
+        fixes = (replace(word.span, f"{word.value * times:.10g}{unit}"),)
+    return project.refuse("FS303", word.span, fixes=fixes, unit=word.unit, text=word.span.text, known=known)
 
 
 def _finite(project: Project, amount: float, span: Span) -> float:
@@ -246,7 +155,7 @@ def _named(project: Project, word: Name | Dotted, scope: Scope) -> Value:
             inner = Reader(expansion.words, expansion.scope, word.span)
             value = ranged(project, inner)
             left_over(project, inner)
-        return Value(value.amount, value.kind, word.span, value.mark)
+        return Value(value.amount, value.kind, word.span, value.mark, expansion.cell or value.cell)
     mark = mark_of(project, word, scope)
     if mark is not None:
         return Value(0.0, TIME, word.span, mark)
@@ -259,31 +168,3 @@ def _named(project: Project, word: Name | Dotted, scope: Scope) -> Value:
     if isinstance(word, Dotted):
         raise project.unknown("FS205", first, labels, word.span)
     raise project.unknown("FS207", first, [*scope.bindings, *project.names.known("let"), *labels], word.span)
-
-
-def _joined(first: Value, second: Value) -> Span:
-    if first.span.source is second.span.source and first.span.start <= second.span.end:
-        return first.span.to(second.span)
-    return second.span
-
-
-def _mismatch(project: Project, sign: str, first: Value, second: Value, span: Span) -> Refused:
-    reason = f"`{sign}` stands between {article(first.kind)} and {article(second.kind)}"
-    return project.refuse("FS306", span, text=span.text, reason=reason)
-
-
-def _wrong_unit(project: Project, value: Value, kind: str) -> Refused:
-    text = value.span.text
-    low, high = bounds(value.amount)
-    unit = USUAL_UNIT[kind]
-    if value.kind == COUNT and low == high and unit:
-        shown = f"{low:.10g}{unit}"
-        fixes = (replace(value.span, shown),) if text.isdigit() else ()
-        return project.refuse("FS301", value.span, fixes=fixes, text=text, wanted=article(kind), example=shown)
-    called = article(value.kind)
-    mend = f"for example `{EXAMPLES[kind]}`"
-    fixes = ()
-    if kind == TIME and text.endswith("m") and text[:-1].replace(".", "").isdigit():
-        minutes = f"{float(text[:-1]) * 60:.10g}s"
-        called, mend, fixes = "metres", f"`{minutes}`?", (replace(value.span, minutes),)
-    return project.refuse("FS302", value.span, fixes=fixes, text=text, kind=called, wanted=article(kind), mend=mend)

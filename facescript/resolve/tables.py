@@ -13,7 +13,7 @@ from facescript.syntax.tree import String, Word
 from facescript.text import Source, Span
 from facescript.world import WorldFailure
 
-MOST_ROWS = 50_000
+MOST_ROWS = 20_000
 LARGEST = 16 * 1024 * 1024
 """Bytes of a table."""
 

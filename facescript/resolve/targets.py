@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from facescript.ir.play import Crowd, FixedTarget, MovingTarget, Target
 from facescript.ir.values import PicturePlace, Point
+from facescript.resolve.arithmetic import checked
 from facescript.resolve.places import in_brackets, place
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader, over, spelled
 from facescript.resolve.scope import GLOBAL
-from facescript.resolve.sums import checked, primary
+from facescript.resolve.sums import primary
 from facescript.resolve.units import TIME, article
 from facescript.syntax.tree import Declaration, Name, Phrase, Word
 from facescript.syntax.tree import Point as PointWord

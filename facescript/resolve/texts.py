@@ -69,14 +69,15 @@ def read_text(project: Project, pieces: tuple[Piece, ...], scope: Scope, span: S
 
 
 class _TextReader:
-    """Gathers plain text and marks; white space is one space, and none between characters that are written without."""
+    """Gathers plain text and marks. White space is one space; where a string or a line ends it is none between
+    characters of scripts that are written without."""
 
     def __init__(self, project: Project, scope: Scope) -> None:
         self.project = project
         self.scope = scope
         self.out: list[str] = []
         self.length = 0
-        self.gap = False
+        self.gap = ""
         self.stretches: list[Stretch] = []
         self.inlines: list[Inline] = []
         self.opened: list[Inline | _Reading] = []
@@ -86,7 +87,7 @@ class _TextReader:
     def read(self, piece: Piece) -> None:
         source, at, end = piece
         text = source.text
-        self.gap = True
+        self.gap = self.gap or "end"
         while at < end:
             special = _SPECIAL.search(text, at, end)
             stop = special.start() if special else end
@@ -103,10 +104,11 @@ class _TextReader:
                     at = max(at, _closing(text, at, end) + 1)
 
     def put(self, text: str) -> None:
-        if self.gap and self.out and not (unspaced(self.out[-1][-1]) and unspaced(text[0])):
+        closed = self.gap == "end" and self.out and unspaced(self.out[-1][-1]) and unspaced(text[0])
+        if self.gap and self.out and not closed:
             self.out.append(" ")
             self.length += 1
-        self.gap = False
+        self.gap = ""
         self.out.append(text)
         self.length += len(text)
 
@@ -114,7 +116,7 @@ class _TextReader:
         """Reads one mark; the offset behind it."""
         sign, at = found[0], found.start()
         if sign[0].isspace():
-            self.gap = True
+            self.gap = "end" if "\n" in sign and self.gap != "space" else "space"
         elif sign == "|":
             self.stretches.append(Stretch("breath", self.length, self.length))
         elif sign == "*":

@@ -28,6 +28,18 @@ UNITS: dict[str, Unit] = {
     "fps": Unit(FRAMES, "frames a second"),
 }
 
+MENDS: dict[str, tuple[str, float]] = {
+    "sec": ("s", 1.0),
+    "min": ("s", 60.0),
+    "h": ("s", 3600.0),
+    "mm": ("cm", 0.1),
+    "°": ("deg", 1.0),
+    "rad": ("deg", 57.29577951),
+    "hz": ("/min", 60.0),
+    "Hz": ("/min", 60.0),
+}
+"""Units of elsewhere, and what they are in the language's own."""
+
 EXAMPLES = {
     TIME: "2s",
     ANGLE: "20deg",

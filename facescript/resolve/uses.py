@@ -17,7 +17,9 @@ DEFINITIONS = (
     tree.ActionDefinition,
     tree.LetDefinition,
     tree.Declaration,
+    tree.Use,
 )
+"""What a script that others use brings."""
 
 
 def used(project: Project, script: tree.Script) -> list[tree.Script]:
@@ -47,7 +49,7 @@ def _read(project: Project, item: tree.Use, name: str, way: list[str], found: di
         return
     inner = parse(source, project.diagnostics)
     found[name] = inner
-    if any(not isinstance(part, (*DEFINITIONS, tree.Use)) for part in inner.items):
+    if any(not isinstance(part, DEFINITIONS) for part in inner.items):
         project.report("FS231", item.span, path=item.path.value)
     _follow(project, inner, [*way, name], found)
 

@@ -69,7 +69,8 @@ LATER: tuple[Entry, ...] = (
         "FS808",
         "later-reaction",
         Severity.HINT,
-        "Only live use, which is not in this version, could start this reaction: no `event` in the script does.",
+        "Only live use, which is not in this version, could start this reaction; no `event` in the "
+        "script is of its kind.",
         'nod\nwhen heard "no":\n    nod\n',
         'nod\nwhen heard "no":\n    nod\nevent heard "no" at 1s\n',
     ),

@@ -90,15 +90,6 @@ VALUES: tuple[Entry, ...] = (
         "show smile over 1s\n",
     ),
     Entry(
-        "FS311",
-        "comma",
-        Severity.HINT,
-        "`{text}` is written {advice}.",
-        "show smile, over 1s\n",
-        "show smile over 1s\n",
-        "Modifiers that begin with `over for back ease from timed as` follow directly, all others after a comma.",
-    ),
-    Entry(
         "FS312",
         "wording",
         Severity.ERROR,
@@ -209,14 +200,6 @@ VALUES: tuple[Entry, ...] = (
         "`{text}` is no language as voices name it, such as `en-us`, `de` or `cmn`.",
         "face ada = woman, voice english\nada: nod\n",
         "face ada = woman, voice en-us\nada: nod\n",
-    ),
-    Entry(
-        "FS327",
-        "after-label",
-        Severity.HINT,
-        "`{text}` stands behind `as`, which is the last of a line.",
-        'say "Hello." as hello, rate 80%\n',
-        'say "Hello.", rate 80% as hello\n',
     ),
     Entry(
         "FS328",
