@@ -116,7 +116,7 @@ def _made_room(last: MouthShape, shape: MouthShape, earlier: float) -> tuple[Mou
         return last, shape
     if not last.shut and last.on + GAP <= shape.on:
         return replace(last, off=shape.on - GAP), shape
-    latest = shape.on + shape.slack if shape.shut else max(shape.off, shape.on)
+    latest = shape.on + shape.slack if shape.shut else shape.off + GAP
     if last.off + GAP <= latest:
         return last, replace(shape, on=last.off + GAP, off=max(shape.off, last.off + GAP))
     if not last.shut and last.on + GAP <= latest:
@@ -146,9 +146,10 @@ def lead(first: PhoneTime | None) -> float:
 
 
 def _given(phone: PhoneTime, after: PhoneTime | None) -> MouthShape:
-    """A Mandarin shape: there when it is given, then on its way, unless a gap or a silence lets it stay to its end."""
-    stays = after is None or not after.symbol or after.start - phone.end > GAP / 3
+    """A Mandarin shape: there when it is given, then on its way, unless a gap or a silence lets it stay to its end;
+    closed lips always stay."""
     name = visemes(phone.symbol)[0].shape
+    stays = name in ("m", "f") or after is None or not after.symbol or after.start - phone.end > GAP / 3
     on = min(phone.start, phone.end - CLOSING) if name == "m" else phone.start
     return MouthShape(name, on, phone.end if stays else max(on, phone.start))
 
