@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from facescript.ir.acts import Say
+from facescript.ir.acts import Glance, Look, Say
+from facescript.ir.values import AtPerson
 from facescript.schedule.phrases import phrase
 from facescript.schedule.score import FOREVER, Score, TimedAct, TimedLine
 from facescript.text import Span
 
-HEAD = ("line", "start", "settled", "end", "face", "what", "eyes", "landed", "head", "until")
+HEAD = ("line", "start", "settled", "end", "face", "what", "eyes", "landed", "head", "there")
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +62,7 @@ def as_text(rows: Sequence[Row]) -> str:
     """The rows as a table, times in seconds, `~` before those that are estimated."""
     table = [HEAD, *(_cells(row) for row in rows)]
     widths = [max(len(cells[column]) for cells in table) for column in range(len(HEAD))]
-    right = ("start", "settled", "end", "eyes", "landed", "head", "until")
+    right = ("start", "settled", "end", "eyes", "landed", "head", "there")
     return "\n".join(
         "  ".join(
             cell.rjust(width) if name in right else cell.ljust(width)
@@ -79,8 +80,9 @@ def _row(score: Score, act: TimedAct) -> Row:
     scene = score.scenes[act.scene].name
     end = None if act.end == FOREVER else act.end
     about = ("start", "settled", "end") if act.estimated else ()
+    what = phrase(act.verb) + _who(act)
     row = Row(
-        "act", act.span.source.name, line, scene, act.face, phrase(act.verb), act.label, act.start, act.settled, end,
+        "act", act.span.source.name, line, scene, act.face, what, act.label, act.start, act.settled, end,
         about=about,
     )  # fmt: skip
     if not act.plan:
@@ -91,6 +93,13 @@ def _row(score: Score, act: TimedAct) -> Row:
     if shift.uses_head and shift.head_done > shift.head_onset:
         row = replace(row, head=shift.head_onset, there=shift.head_done)
     return row
+
+
+def _who(act: TimedAct) -> str:
+    """Who the person is that is looked at."""
+    if not isinstance(act.verb, (Look, Glance)) or not isinstance(act.verb.aim, AtPerson):
+        return ""
+    return f" ({dict(act.persons).get(act.verb.aim.name, 'nobody')})"
 
 
 def _said(row: Row, act: TimedAct, lines: list[TimedLine]) -> Iterator[list[Row]]:

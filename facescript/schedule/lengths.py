@@ -53,7 +53,9 @@ class Lengths:
         if isinstance(verb, (Show, Add, Drop)):
             return seconds(verb.timing.over)
         if isinstance(verb, Scan):
-            return seconds(verb.dwell) * self.presence.size(verb.crowd, start)
+            stops = self.presence.size(verb.crowd, start)
+            step.root.maker.take(step, stops)
+            return seconds(verb.dwell) * stops
         if isinstance(verb, (SetBackground, View, SetLife)):
             return seconds(verb.over)
         assert isinstance(verb, Wait)

@@ -91,7 +91,7 @@ class _Scheduler:
             learned = self._heard(solved, facts)
             if learned == facts:
                 learned = replace(facts, looks=self._seen(solved))
-                work += LOOK * len(self.plans)
+                work += LOOK * sum(map(len, self.plans.values()))
             if learned == facts:
                 return solved
             facts = learned

@@ -36,9 +36,9 @@ class Maker:
     left: int
     _names: dict[int, tuple[str, ...]] = field(default_factory=dict)
 
-    def take(self, step: Step) -> None:
-        """Count a step. Raises `TooMany`."""
-        self.left -= 1
+    def take(self, step: Step, count: int = 1) -> None:
+        """Count a step, and the stops of a scan. Raises `TooMany`."""
+        self.left -= count
         if self.left < 0:
             raise TooMany(step)
 

@@ -91,6 +91,7 @@ def test_a_forward_reference_may_reach_as_far_as_it_likes() -> None:
         ("repeat 1000 times:\n    repeat 1000 times:\n        repeat 1000 times: wait 0ms\n", "FS412"),
         ("film 1000s long\n\nrepeat forever: wait 1ms\n", "FS412"),
         ("film 10s long\n\nrepeat forever: wait 0ms\n", "FS410"),
+        (f"target c of {' (0cm 0cm 1m)' * 300}\n\nscene s:\n    repeat 100 times: scan c, 100ms each\n", "FS412"),
         ("repeat for 10s:\n    repeat 2 times: background #101010\n", "FS410"),
     ],
 )
