@@ -133,8 +133,9 @@ def expression_lines(p: Palette, brow_y: float, nose_y: float, chin_y: float) ->
         ribbon((-9, chin_y - 12, 0.01), (-5, chin_y - 15, 1.8), (-1, chin_y - 12, 0.01)),
         ribbon((3, chin_y - 13, 0.01), (6, chin_y - 16, 1.8), (10, chin_y - 12, 0.01)),
     )
+    faded = ramp((0, line, 0), (0.35, line), (0.65, line), (1, line, 0), line=ACROSS)
     return (
-        Part("forehead-lines", "face", "skin", line, tuple(high), 0),
+        Part("forehead-lines", "face", "skin", faded, tuple(high), 0),
         Part("brow-furrow", "face", "skin", line, frown, 0),
         Part("nose-wrinkles", "nose", "nose", line, (*bridge, *wings), 0),
         Part("chin-lines", "face", "mouth", line, chin, 0),

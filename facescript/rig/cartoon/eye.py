@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from facescript.rig.cartoon.depth import BALL
-from facescript.rig.cartoon.pen import Floats, Number, Pen, Spot, lerp
+from facescript.rig.cartoon.pen import Floats, Number, Pen, Spot, lerp, step
 
 ALONG = (-1.0, -0.58, 0.06, 0.62, 1.0)
 """Where the lids' five points stand across the eye, from the inner to the outer corner."""
@@ -82,15 +82,15 @@ def _x(style: EyeStyle, d: float, side: int, along: float) -> float:
 
 def _lids(style: EyeStyle, d: float, side: int, state: EyeState) -> _Lids:
     narrow = 1 - 0.13 * state.cheek - 0.14 * state.nose - 0.12 * state.frown
-    opening = np.maximum(state.opening, 0.0) * np.where(state.opening > 0, narrow, 1.0)
+    opening = np.maximum(state.opening, 0.0) * narrow
     shut = 1 - np.minimum(opening, 1.0)
     wide = np.minimum(opening, 1.0) + 0.8 * np.maximum(opening - 1, 0.0)
     below = np.sin(-state.pitch)
     sinks = 9.0 * (below + np.sqrt(below * below + 0.01) - 0.1)
     lift = 6.0 * state.cheek + 3.2 * state.nose + 1.2 * shut - sinks
     corner = style.outer + 5.5 * shut - 1.2 * state.cheek
-    down = (style.inner, style.down * 0.62, style.down, style.down * 0.70, corner)
-    lower = [y - lift * k for y, k in zip(down, (0, 0.7, 1.0, 0.8, 0), strict=True)]
+    down: tuple[Number, ...] = (style.inner, style.down * 0.62, style.down, style.down * 0.70, corner)
+    lower: list[Number] = [y - lift * k for y, k in zip(down, (0, 0.7, 1.0, 0.8, 0), strict=True)]
     rest = (style.inner, -style.up * 0.70, -style.up, -style.up * 0.80, style.outer)
     press = (0.0, 3.0, 1.6, 0.2, 0.0)
     upper: list[Number] = []
@@ -98,7 +98,7 @@ def _lids(style: EyeStyle, d: float, side: int, state: EyeState) -> _Lids:
         closed = lower[i] + (0, 0.4, 1.0, 0.6, 0)[i]
         top = rest[i] + press[i] * state.frown
         upper.append(lower[i] if i in (0, 4) else closed + (top - closed) * wide)
-    follows = np.where(wide < 1, 0.30, 0.55)
+    follows = 0.30 + 0.25 * step(0.8, 1.2, wide)
     crease = [
         (
             _x(style, d, side, u),

@@ -70,6 +70,11 @@ class CartoonRig:
         return out
 
     @property
+    def feature_names(self) -> tuple[str, ...]:
+        """What `features` returns, in its order."""
+        return points.NAMES
+
+    @property
     def units(self) -> points.Units:
         """The face's facial animation parameter units, px."""
         at = dict(zip(points.NAMES, map(tuple, self.features(REST[None])[0].tolist()), strict=True))

@@ -77,4 +77,5 @@ def _side(named: Columns, side: str) -> Side:
         press=named[f"lip.press.{side}"],
         pucker=named[f"lip.pucker.{side}"],
         nose=named[f"nose.upper.{side}"],
+        cheek=named[f"cheek.upper.{side}"],
     )

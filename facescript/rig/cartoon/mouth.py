@@ -60,6 +60,7 @@ class Side:
     press: Floats
     pucker: Floats
     nose: Floats
+    cheek: Floats
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,7 +120,7 @@ def lips(style: MouthStyle, state: MouthState) -> Lips:
     corner = [_corner(style, state, k, gap, puckered) for k in (0, 1)]
     inner_upper, inner_lower = _inner(style, state, middle, gap, apart, puckered, corner)
     thick = _thickness(style, state, slack, apart, puckered)
-    outer_upper, outer_lower = _outer(style, state, inner_upper, inner_lower, thick, puckered, corner)
+    outer_upper, outer_lower = _outer(style, state, apart, inner_upper, inner_lower, thick, puckered, corner)
     drop = inner_lower[2][1] - style.y - style.tubercle
     dropped: Floats = np.asarray(drop, dtype=np.float64)
     return Lips(gap, apart, puckered, corner, inner_upper, inner_lower, outer_upper, outer_lower, dropped)
@@ -128,9 +129,25 @@ def lips(style: MouthStyle, state: MouthState) -> Lips:
 def _corner(style: MouthStyle, state: MouthState, k: int, gap: Floats, puckered: Floats) -> tuple[Number, Number]:
     side = state.sides[k]
     half = style.half_width * (1 - 0.34 * np.clip(side.pucker, 0, 1) * (1 - 0.4 * state.round) - 0.10 * state.round)
-    half = half + style.mw0 * state.wide + 7.0 * side.smile + 6.0 * side.stretch + 2.0 * side.frown - 2.5 * side.press
+    half = (
+        half
+        + style.mw0 * state.wide
+        + 7.0 * side.smile
+        + 6.0 * side.stretch
+        + 2.0 * side.frown
+        - 2.5 * side.press
+        + 1.0 * side.cheek
+    )
     half = half + np.where(half < NARROW, NARROW - half - 10.0 * np.tanh((NARROW - half) / 10.0), 0.0)
-    y = style.y + style.corner - 9.5 * side.smile + 11.5 * side.frown - 1.0 * side.raise_ + 1.5 * side.stretch
+    y = (
+        style.y
+        + style.corner
+        - 9.5 * side.smile
+        + 11.5 * side.frown
+        - 1.0 * side.raise_
+        + 1.5 * side.stretch
+        - 2.6 * side.cheek
+    )
     y = y + 2.0 * state.jaw + gap * lerp(0.10, 0.42, puckered) - _whole_rise(style, state) * 0.3 - 1.5 * state.chin
     return SIDES[k] * half, y
 
@@ -153,7 +170,7 @@ def _inner(
     """The lips' inner edges: closed lips are one line, whatever the muscles say."""
     upper: list[Spot] = [(*corner[0], True)]
     lower: list[Spot] = [(*corner[0], True)]
-    along_x = lerp(0.56, 0.68, puckered * apart)
+    along_x = lerp(0.56, lerp(0.60, 0.68, puckered), apart)
     middles = (middle - style.tubercle * 0.4 * apart, middle + gap + 0.3 - style.tubercle * 0.4 * apart)
     for k in (0, 1):
         side, (x, y) = state.sides[k], corner[k]
@@ -187,6 +204,7 @@ def _thickness(
 def _outer(
     style: MouthStyle,
     state: MouthState,
+    apart: Floats,
     inner_upper: list[Spot],
     inner_lower: list[Spot],
     thick: tuple[Number, Number],
@@ -211,8 +229,8 @@ def _outer(
         plain = inner_lower[row][1] + lower * 0.64
         arched = y + 0.72 * (bottom + lower - y)
         sink = 3.0 * state.sides[k].lower
-        flat = (x * lerp(0.66, 0.78, puckered), lerp(plain, arched, puckered) + sink)
-        below.append([flat, (x * lerp(0.30, 0.38, puckered), bottom + lower - 0.5 + sink)])
+        flat = (x * lerp(lerp(0.66, 0.72, apart), 0.78, puckered), lerp(plain, arched, puckered) + sink)
+        below.append([flat, (x * lerp(0.30, 0.40, apart), bottom + lower - 0.5 + sink)])
     middle: Spot = (0.0, top - upper + dip)
     return [*above[0], middle, *above[1][::-1]], [*below[0], *below[1][::-1]]
 
@@ -235,7 +253,7 @@ def _inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> None
     high, low = top[2][1], bottom[2][1]
     teeth = 10.0 * np.clip(state.teeth, 0.0, 1.0) + 2.0 * shape.apart * state.mean("raise_")
     tip_up = np.clip(state.tongue, 0.0, 1.0)
-    resting = low - 10.0 * step(8.0, 30.0, shape.gap)
+    resting = low - 10.0 * step(8.0, 30.0, shape.gap) * (1 - 0.7 * shape.round)
     tongue = lerp(resting, high + np.minimum(teeth, 8.0) * 0.7 + 2.0, tip_up)
     wide = lerp(1.0, 0.72, tip_up)
     pen.loop(
@@ -278,7 +296,7 @@ def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
             (left * arch, edge[0], True),
         ],
     )
-    shown = 0.72 * teeth * (1 - step(10.0, 26.0, shape.gap))
+    shown = 0.72 * teeth * (1 - step(7.0, 17.0, shape.gap))
     hidden = 11.0 * (1 - step(0.0, 4.0, shown))
     lower: list[Spot] = [
         (left * 0.8, left_y + 12, True),

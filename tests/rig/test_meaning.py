@@ -1,0 +1,170 @@
+"""What the channels mean in the drawing: lips that close, eyes that stay in their lids, turns the right way."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from facescript.performance.channels import INDEX, MUSCLES, SIDES
+from facescript.performance.performance import REST
+from facescript.rig.cartoon.face import CartoonRig
+from facescript.rig.rigs import STYLES
+from rig.outline import anchors, area, inside, polygon
+from rig.poses import pose, some
+
+RIGS = {name: CartoonRig(style, style.palette) for name, style in STYLES.items()}
+KINDS = pytest.mark.parametrize("kind", sorted(RIGS))
+PAIRS = [f"{muscle}.{side}" for muscle in MUSCLES for side in SIDES]
+
+
+def feature(rig: CartoonRig, name: str, *poses: np.ndarray) -> np.ndarray:
+    return rig.features(np.stack(poses))[:, rig.feature_names.index(name)]
+
+
+@KINDS
+@settings(max_examples=40, deadline=None)
+@given(muscles=st.lists(st.floats(0, 1), min_size=28, max_size=28), lip=st.floats(-0.3, 0.3), teeth=st.floats(0, 1))
+def test_closed_lips_are_closed(kind: str, muscles: list[float], lip: float, teeth: float) -> None:
+    """`open` 0 is closed lips whatever the muscles do: the gap is a hair, and the lips lie over it."""
+    rig = RIGS[kind]
+    shut = pose(mouth_open=0, mouth_upper=lip, mouth_lower=-lip, mouth_teeth=teeth)
+    shut[[INDEX[name] for name in PAIRS]] = muscles
+    picture = rig.draw(shut[None])
+    inner = anchors(rig, picture, "mouth-cavity")[0]
+    upper, lower = inner[1:4], inner[[7, 6, 5]]
+    assert np.abs(lower - upper).max() <= 0.35
+    lip_edge_upper = anchors(rig, picture, "mouth-lip-upper")[0][[9, 8, 7]]
+    lip_edge_lower = anchors(rig, picture, "mouth-lip-lower")[0][[6, 7, 8]]
+    assert (lip_edge_lower[::1, 1] < lip_edge_upper[:, 1]).all()
+
+
+@KINDS
+def test_open_is_the_gap_at_the_middle_in_mns0(kind: str) -> None:
+    rig = RIGS[kind]
+    for gap in (0.25, 0.5, 1.0):
+        inner = anchors(rig, rig.draw(pose(mouth_open=gap)[None]), "mouth-cavity")[0]
+        assert inner[6, 1] - inner[2, 1] == pytest.approx(gap * rig.units.mns0, abs=0.5)
+
+
+@KINDS
+def test_wide_moves_each_corner_out_in_mw0(kind: str) -> None:
+    rig = RIGS[kind]
+    rest, wide = feature(rig, "8.3", REST, pose(mouth_wide=1 / 12))
+    assert wide[0] - rest[0] == pytest.approx(rig.units.mw0 / 12, abs=0.1)
+
+
+@KINDS
+def test_an_open_mouth_opens(kind: str) -> None:
+    """The cavity grows with the gap, and a smile opens on both sides."""
+    rig = RIGS[kind]
+    frames = np.stack([pose(mouth_open=gap, cheek_lower=0.8) for gap in np.linspace(0, 1.2, 13)])
+    areas = area(polygon(rig, rig.draw(frames), "mouth-cavity"))
+    assert (np.diff(areas) > 5).all()
+
+
+@KINDS
+@pytest.mark.parametrize("side", SIDES)
+def test_the_eye_stays_in_its_lids(kind: str, side: str) -> None:
+    """Iris, pupil and lights are cut by the white; at rest and in ordinary gaze the pupil lies in it."""
+    rig = RIGS[kind]
+    clipped = {shape.id for shape in rig.shapes if shape.clip == (f"eye-white-{side}",)}
+    assert clipped == {f"eye-{part}-{side}" for part in ("iris", "rays", "pupil", "shade", "light")}
+    for yaw in (-25, 0, 25):
+        for pitch in (-20, 0, 15):
+            looking = pose(**{f"eye_{s}_yaw": yaw for s in SIDES} | {f"eye_{s}_pitch": pitch for s in SIDES})
+            picture = rig.draw(looking[None])
+            middle = anchors(rig, picture, f"eye-pupil-{side}")[0].mean(axis=0)
+            assert inside(middle, polygon(rig, picture, f"eye-white-{side}")[0]), (yaw, pitch)
+
+
+@KINDS
+@pytest.mark.parametrize("side", SIDES)
+def test_a_shut_eye_shows_no_white(kind: str, side: str) -> None:
+    rig = RIGS[kind]
+    open_, shut = area(polygon(rig, rig.draw(np.stack([REST, pose(lid=1)])), f"eye-white-{side}"))
+    assert shut < 0.05 * open_
+
+
+@KINDS
+def test_the_iris_is_a_circle_on_a_ball_of_03_d(kind: str) -> None:
+    """Thesis 2.4.3.2: turned by an angle it shifts by 0.3 d times the sine, and narrows by the cosine."""
+    rig = RIGS[kind]
+    for angle in (-40, -15, 20, 45):
+        picture = rig.draw(np.stack([REST, pose(eye_left_yaw=angle)]))
+        rest, turned = anchors(rig, picture, "eye-iris-left")
+        shift = turned.mean(axis=0) - rest.mean(axis=0)
+        assert shift[0] == pytest.approx(0.3 * rig.eye_distance * math.sin(math.radians(angle)), abs=0.01)
+        assert np.ptp(turned[:, 0]) == pytest.approx(np.ptp(rest[:, 0]) * math.cos(math.radians(angle)), abs=0.01)
+
+
+@KINDS
+def test_signs(kind: str) -> None:
+    """Yaw + is the viewer's right, pitch + up, roll + clockwise; x right, y up; left is the face's own."""
+    rig = RIGS[kind]
+
+    def moved(name: str, **values: float) -> np.ndarray:
+        rest, then = feature(rig, name, REST, pose(**values))
+        return np.asarray(then - rest)
+
+    assert moved("9.15", head_yaw=20)[0] > 20
+    assert moved("9.15", head_pitch=20)[1] < -20
+    assert moved("4.1", head_roll=20)[0] > 20
+    assert moved("EyeballLeft", eye_left_yaw=20)[0] > 5 and moved("EyeballRight", eye_left_yaw=20)[0] == 0
+    assert moved("EyeballLeft", eye_left_pitch=20)[1] < -5
+    assert moved("EyeballLeft", eye_left_x=0.5)[0] == pytest.approx(0.5 * rig.eye_distance / 6.3)
+    assert moved("EyeballLeft", head_y=0.5)[1] == pytest.approx(-0.5 * rig.eye_distance / 6.3)
+    assert feature(rig, "8.3", REST)[0][0] > rig.eyes[0] > feature(rig, "8.4", REST)[0][0]
+    assert moved("8.3", cheek_lower_left=1)[1] < -5 and abs(moved("8.4", cheek_lower_left=1)[1]) < 1
+    assert moved("4.3", brow_inner_left=1)[1] < -5 and moved("4.4", brow_inner_left=1)[1] == 0
+    assert moved("2.1", mouth_jaw=1)[1] > 15
+
+
+@KINDS
+def test_the_head_turns_about_y_then_x_then_z(kind: str) -> None:
+    """A point of the chin's ridge goes where the thesis' formula puts it, about an origin 1.3 d below the eyes."""
+    rig = RIGS[kind]
+    d, pivot = rig.eye_distance, rig.eyes[1] + 1.3 * rig.eye_distance
+    x, y = feature(rig, "2.1", REST)[0] - (rig.eyes[0], pivot)
+    z = d * (0.2 + 0.84 * (1.30 - 0.2))
+    yaw, pitch, roll = 20.0, -15.0, 10.0
+    sin, cos = ([f(math.radians(a)) for a in (yaw, pitch, roll)] for f in (math.sin, math.cos))
+    x1, z1 = x * cos[0] + z * sin[0], z * cos[0] - x * sin[0]
+    y1 = y * cos[1] - z1 * sin[1]
+    turned = feature(rig, "2.1", pose(head_yaw=yaw, head_pitch=pitch, head_roll=roll))[0] - (rig.eyes[0], pivot)
+    assert turned == pytest.approx([x1 * cos[2] - y1 * sin[2], x1 * sin[2] + y1 * cos[2]], abs=0.02 * d)
+
+
+@KINDS
+def test_expressions_differ(kind: str) -> None:
+    """Disgust is not anger, fear not surprise: some feature differs by 5 px or more between any two."""
+    rig = RIGS[kind]
+    shown = [
+        pose(cheek_lower=1, cheek_upper=0.4),
+        pose(brow_lower=1, lip_press=0.9),
+        pose(nose_upper=1, lip_corner=0.6, lip_lower=0.6, brow_lower=0.3),
+        pose(brow_inner=1, brow_outer=1, lid=-0.3, mouth_open=0.6, mouth_jaw=0.6),
+        pose(brow_inner=0.9, brow_outer=0.6, brow_lower=0.6, lip_stretch=0.9, lid=-0.3),
+        pose(brow_inner=1, brow_lower=0.6, lip_corner=0.9, chin=0.3),
+    ]
+    at = rig.features(np.stack(shown))
+    for i in range(len(shown)):
+        for j in range(i):
+            assert np.abs(at[i] - at[j]).max() > 5, (i, j)
+
+
+@KINDS
+def test_no_outline_of_the_eye_or_mouth_turns_over(kind: str) -> None:
+    """In any pose the white's upper edge is above its lower one, and the upper lip above the lower."""
+    rig = RIGS[kind]
+    frames = some(60, seed=11)
+    frames[:, [INDEX[f"head.{axis}"] for axis in ("yaw", "pitch", "roll")]] *= 0.2
+    picture = rig.draw(frames)
+    for side in SIDES:
+        white = anchors(rig, picture, f"eye-white-{side}")
+        assert (white[:, [7, 6, 5], 1] - white[:, 1:4, 1] > -2.5).all()
+    cavity = anchors(rig, picture, "mouth-cavity")
+    assert (cavity[:, [7, 6, 5], 1] - cavity[:, 1:4, 1] > -0.5).all()
