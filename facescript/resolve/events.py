@@ -7,14 +7,13 @@ from typing import Literal
 from facescript.ir.acts import Sequence
 from facescript.ir.play import Event, EventPattern, Reaction
 from facescript.resolve.blocks import ENDINGS, statements
-from facescript.resolve.labels import gather
+from facescript.resolve.labels import check_free, gather
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader, over
 from facescript.resolve.scope import GLOBAL, Person, Scope
 from facescript.resolve.sums import quantity
 from facescript.resolve.units import TIME, article
-from facescript.resolve.words import WORDS
 from facescript.syntax import tree
 from facescript.text import Span
 
@@ -72,8 +71,7 @@ def _bound(project: Project, reader: Reader) -> str | None:
     word = reader.next()
     if not isinstance(word, tree.Name) or reader.peek() is not None:
         raise _miswritten(project, reader, WHEN)
-    if word.text in WORDS:
-        raise project.refuse("FS209", word.span, name=word.text)
+    check_free(project, word)
     return word.text
 
 

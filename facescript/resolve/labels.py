@@ -35,6 +35,16 @@ def _declare(project: Project, labels: Labels, name: tree.Name) -> None:
         project.report("FS210", name.span, name=name.text, kind=project.names.library[name.text].kind)
 
 
+def check_free(project: Project, name: tree.Name) -> None:
+    """Refuses a name for a pass's row or for a person that is a word of the language or is defined already."""
+    if name.text in WORDS:
+        raise project.refuse("FS209", name.span, name=name.text)
+    definition = project.names.written.get(name.text)
+    if definition is not None:
+        related = (Related(definition.span, "it is here already"),)
+        raise project.refuse("FS208", name.span, related=related, name=name.text)
+
+
 def _named(body: tuple[tree.Statement, ...]) -> Iterator[tree.Name]:
     """The names given with `as` in a block; a repeat's own belong to its passes."""
     for statement in body:

@@ -6,7 +6,7 @@ from facescript.ir.acts import Node, Repeat, Sequence
 from facescript.ir.play import Crowd
 from facescript.resolve.actions import Statements
 from facescript.resolve.aims import read_crowd
-from facescript.resolve.labels import gather
+from facescript.resolve.labels import check_free, gather
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
@@ -14,7 +14,6 @@ from facescript.resolve.scope import GLOBAL, Binding, Closure, Labels, Scope
 from facescript.resolve.sums import number, read_quantity
 from facescript.resolve.tables import rows
 from facescript.resolve.units import COUNT, TIME
-from facescript.resolve.words import WORDS
 from facescript.syntax import tree
 from facescript.text import Span
 
@@ -76,8 +75,7 @@ def _over(project: Project, statement: tree.Repeat, place: Place, statements: St
     name = statement.how.words[0]
     if not isinstance(name, tree.Name):
         raise project.refuse("FS312", name.span, text=name.span.text, advice=f"it is written {HOW}")
-    if name.text in WORDS:
-        raise project.refuse("FS209", name.span, name=name.text)
+    check_free(project, name)
     bindings = _bindings(project, statement, place)
     outer = place.scope.labels
     prefix = _prefix(outer) if outer is not None else ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from facescript.ir.acts import Say, Voice
+from facescript.resolve.files import project_path
 from facescript.resolve.lines import Line
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project
@@ -62,7 +63,7 @@ def _file(project: Project, reader: Reader) -> Piece:
         span = word.span if word is not None else reader.span
         raise project.refuse("FS312", span, text=span.text, advice='it is written `say text "FILE"`')
     try:
-        source = project.world.source(word.value)
+        source = project.world.source(project_path(word.span, word.value))
     except WorldFailure as failure:
         raise project.refuse("FS701", word.span, path=word.value, reason=failure.args[0]) from None
     return source, 0, len(source.text)

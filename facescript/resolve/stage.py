@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from facescript.ir.acts import SetBackground, SetLife, View, Wait, WaitUntil
+from facescript.resolve.files import project_path
 from facescript.resolve.lines import Line
 from facescript.resolve.lives import life_of
 from facescript.resolve.place import Place, face_named
@@ -58,7 +59,10 @@ def _viewed(project: Project, word: Name, scope: Scope, place: Place) -> str:
     if expansion is not None and len(expansion.words) == 1 and isinstance(expansion.words[0], Name):
         with inside(project, expansion, word.span):
             return _viewed(project, expansion.words[0], expansion.scope, place)
-    return face_named(project, word, place.cast)
+    face = face_named(project, word, place.cast)
+    if face in project.faces and not project.faces[face].seen:
+        raise project.refuse("FS236", word.span, name=face)
+    return face
 
 
 def _backdrop(project: Project, reader: Reader) -> tuple[str | None, str | None]:
@@ -84,6 +88,7 @@ def _is_colour(words: tuple[Word, ...]) -> bool:
 
 
 def _picture(project: Project, path: str, span: Span) -> str:
-    if not project.world.exists(path):
+    found = project_path(span, path)
+    if not project.world.exists(found):
         raise project.refuse("FS701", span, path=path, reason="there is no such file")
-    return path
+    return found

@@ -6,6 +6,7 @@ import csv
 import io
 
 from facescript.diagnostics.model import Diagnostics
+from facescript.resolve.files import project_path
 from facescript.resolve.project import Project
 from facescript.resolve.scope import Row
 from facescript.syntax.parser import parse_phrases
@@ -34,7 +35,7 @@ def rows(project: Project, path: String) -> tuple[Row, ...]:
 
 def _lines(project: Project, path: String) -> list[list[str]]:
     try:
-        text = project.world.read(path.value, LARGEST).decode("utf-8-sig")
+        text = project.world.read(project_path(path.span, path.value), LARGEST).decode("utf-8-sig")
         lines = [cells for cells in csv.reader(io.StringIO(text, newline=""), strict=True) if any(cells)]
     except WorldFailure as failure:
         raise project.refuse("FS701", path.span, path=path.value, reason=failure.args[0]) from None

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from posixpath import dirname, join, normpath
+from posixpath import normpath
 
 from facescript.diagnostics.model import Diagnostics
+from facescript.resolve.files import project_path
 from facescript.resolve.project import Project
 from facescript.syntax import tree
 from facescript.syntax.parser import parse
@@ -33,7 +34,7 @@ def _follow(project: Project, script: tree.Script, way: list[str], found: dict[s
     for item in script.items:
         if not isinstance(item, tree.Use):
             continue
-        name = normpath(join(dirname(script.source.name), item.path.value))
+        name = project_path(item.path.span, item.path.value)
         if name in way:
             chain = " -> ".join([*way[way.index(name) :], name])
             project.report("FS702", item.span, chain=chain)

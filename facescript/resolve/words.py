@@ -77,10 +77,10 @@ MODIFIERS: dict[str, Modifier] = _rows(
     _valued("volume", "percentage", "how loud the voice speaks"),
     _valued("blink", "rate", "blinks a minute"),
     _valued("brows", "rate", "brow raises a minute"),
-    _valued("sway", "percentage", "how much the head moves by itself"),
-    _valued("nods", "percentage", "how often the head nods at pauses"),
+    _valued("sway", "percentage", "how far the head moves by itself"),
+    _valued("nods", "percentage", "how deep the head nods before pauses of its speech"),
     _valued("saccades", "rate", "idle saccades a minute"),
-    _valued("avert", "percentage", "how much of the time the eyes turn away"),
+    _valued("avert", "percentage", "how far the eyes turn away at times: 100% is 30 degrees"),
 )
 
 GAZE = ("eyes then head", "head then eyes", "eyes only", "head only", "head", "speed", "latency")

@@ -165,7 +165,7 @@ def test_lives() -> None:
     assert isinstance(first, SetLife)
     assert isinstance(second, SetLife)
     assert isinstance(third, SetLife)
-    assert (first.life.name, dict(first.life.knobs)["blink"], dict(first.life.knobs)["sway"]) == ("calm", 8.0, 0.25)
+    assert (first.life.name, dict(first.life.knobs)["blink"], dict(first.life.knobs)["sway"]) == ("calm", 8.0, 0.4)
     assert second.life == Life(
         "still", (("blink", 5.0), ("brows", 0.0), ("sway", 0.1), ("nods", 0.0), ("saccades", 0.0), ("avert", 0.0))
     )

@@ -212,6 +212,8 @@ def test_labels_of_scenes_and_passes() -> None:
         ("repeat 3s:\n    nod\n", "FS302"),
         ("repeat often:\n    nod\n", "FS207"),
         ("repeat one in camera:\n    nod\n", "FS202"),
+        (f"{CROWD}repeat crowd in crowd:\n    look at crowd.1\n", "FS208"),
+        (f"{CROWD}scan crowd\nrepeat face in crowd:\n    look at face.1\n", "FS209"),
     ],
 )
 def test_faults_of_labels_and_repeats(text: str, code: str) -> None:
