@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import subprocess
+import sys
 import threading
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from queue import Queue
 from types import TracebackType
+from typing import IO
 
 import imageio_ffmpeg
 import numpy as np
@@ -17,8 +19,16 @@ from numpy.typing import NDArray
 
 from facescript.backends.job import JobFailure
 
+if sys.platform == "linux":
+    from fcntl import F_SETPIPE_SZ, fcntl
+
+Bytes = NDArray[np.uint8]
+
 AHEAD = 8
 """Frames that may wait for the encoder."""
+
+PIPE_BYTES = 1 << 20
+"""What Linux lets anyone's pipe hold."""
 
 LAST_WORDS = 2000
 """Bytes kept of what ffmpeg says; it says nothing but faults."""
@@ -36,7 +46,11 @@ class Encoder:
             self._process = subprocess.Popen(command, stdin=pipe, stdout=quiet, stderr=pipe, start_new_session=True)
         except OSError as fault:
             raise JobFailure(f"ffmpeg cannot be run ({fault.strerror})") from None
-        self._waiting: Queue[bytes | None] = Queue(AHEAD)
+        self._waiting: Queue[Bytes | None] = Queue()
+        self._free: Queue[Bytes | None] = Queue()
+        for _ in range(AHEAD):
+            self._free.put(None)
+        _widen(self._process.stdin)
         self._words = b""
         self._broken = False
         self._threads = [threading.Thread(target=work, daemon=True) for work in (self._feed, self._listen)]
@@ -46,11 +60,15 @@ class Encoder:
     def __enter__(self) -> Encoder:
         return self
 
-    def write(self, frame: NDArray[np.uint8]) -> None:
+    def write(self, frame: Bytes) -> None:
         """Hand over one frame; it is copied. Raises `JobFailure` once ffmpeg has stopped."""
         if self._broken:
             self._fail()
-        self._waiting.put(frame.tobytes())
+        slot = self._free.get()
+        if slot is None:
+            slot = np.empty_like(frame)
+        slot[...] = frame
+        self._waiting.put(slot)
 
     def __exit__(self, kind: type[BaseException] | None, fault: BaseException | None, at: TracebackType | None) -> None:
         try:
@@ -68,9 +86,10 @@ class Encoder:
         while (frame := self._waiting.get()) is not None:
             if not self._broken:
                 try:
-                    self._process.stdin.write(frame)
+                    self._process.stdin.write(frame.data)
                 except (OSError, ValueError):
                     self._broken = True
+            self._free.put(frame)
         with suppress(OSError):
             self._process.stdin.close()
 
@@ -97,6 +116,13 @@ class Encoder:
             if stream is not None:
                 with suppress(OSError):
                     stream.close()
+
+
+def _widen(pipe: IO[bytes] | None) -> None:
+    """Let a pipe hold more than its usual 64 KiB where the system can: fewer changes of process a frame."""
+    if pipe is not None and sys.platform == "linux":
+        with suppress(OSError):
+            fcntl(pipe.fileno(), F_SETPIPE_SZ, PIPE_BYTES)
 
 
 def program() -> str:

@@ -52,8 +52,8 @@ def even(size: int) -> int:
     return size + size % 2
 
 
-def drawn(stage: Stage, painter: Painter, cloth: Backcloth, times: Floats) -> Iterator[Box]:
-    """Draw the moments one by one into the painter's pixels; the box of each is where they changed."""
+def drawn(stage: Stage, painter: Painter, cloth: Backcloth, times: Floats) -> Iterator[tuple[Box, ...]]:
+    """Draw the moments one by one into the painter's pixels; the boxes of each are where they changed."""
     for first in range(0, len(times), CHUNK):
         frames = stage.frames(times[first : first + CHUNK])
         for points, opacity, ground in zip(frames.points, frames.opacity, frames.grounds, strict=True):
@@ -80,8 +80,9 @@ def planes(stage: Stage, times: Floats) -> Iterator[Bytes]:
     painter = Painter(width, height, stage.shapes)
     cloth = Backcloth(width, height, stage.pictures)
     yuv = Planes(width, height)
-    for box in drawn(stage, painter, cloth, times):
-        yuv.take(painter.pixels, box)
+    for boxes in drawn(stage, painter, cloth, times):
+        for box in boxes:
+            yuv.take(painter.pixels, box)
         yield yuv.data
 
 

@@ -11,6 +11,10 @@ from numpy.typing import NDArray
 Kind = TypeVar("Kind", bound=np.generic)
 
 
+BAND = 64
+"""Rows; even, as boxes begin at even rows where chroma is at half the resolution."""
+
+
 @dataclass(frozen=True, slots=True)
 class Box:
     """A rectangle of whole pixels, half open; false where it is empty."""
@@ -38,4 +42,16 @@ class Box:
         return Box(self.left & ~1, self.top & ~1, self.right + 1 & ~1, self.bottom + 1 & ~1)
 
 
-NOWHERE = Box(0, 0, 0, 0)
+def bands(low: NDArray[np.float32], high: NDArray[np.float32], whole: Box) -> tuple[Box, ...]:
+    """Boxes of whole pixels, BAND rows high, one under the other, that hold all pixels of `whole` which outlines with
+    these corners, array[outline, 2], can touch."""
+    left, top = np.floor(low).astype(np.int64).T - 1
+    right, bottom = np.ceil(high).astype(np.int64).T + 1
+    found = []
+    first, last = max(whole.top, int(top.min(initial=whole.bottom))), min(whole.bottom, int(bottom.max(initial=0)))
+    for start in range(first, last, BAND):
+        end = min(start + BAND, last)
+        inside = (top < end) & (bottom > start)
+        across = int(left[inside].min(initial=whole.right)), int(right[inside].max(initial=whole.left))
+        found.append(Box(across[0], start, across[1], end) & whole)
+    return tuple(box for box in found if box)

@@ -8,7 +8,7 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.canvas.box import NOWHERE, Box
+from facescript.canvas.box import Box, bands
 from facescript.canvas.thorvg import Clipped, Outline
 from facescript.rig.picture import Shape
 
@@ -59,17 +59,17 @@ class Outlines:
         touched: Bools = (moved | shaded) & ((self._levels > 0) | (self._before[2] > 0))
         return touched
 
-    def touched_box(self, touched: Bools) -> Box:
+    def touched_boxes(self, touched: Bools, whole: Box) -> tuple[Box, ...]:
         """Where the touched shapes were before the last frame and are now."""
         low, high, levels = self._before
         was, now = touched & (levels > 0), touched & (self._levels > 0)
-        return _box(np.concatenate([low[was], self._low[now]]), np.concatenate([high[was], self._high[now]]))
+        return bands(np.concatenate([low[was], self._low[now]]), np.concatenate([high[was], self._high[now]]), whole)
 
-    def seen_box(self, first: int) -> Box:
+    def seen_boxes(self, first: int, whole: Box) -> tuple[Box, ...]:
         """Where the visible shapes from number `first` on are."""
         seen = self._levels > 0
         seen[:first] = False
-        return _box(self._low[seen], self._high[seen])
+        return bands(self._low[seen], self._high[seen], whole)
 
     def _moved(self, fresh: NDArray[np.float32]) -> Bools:
         """Which shapes or their clips moved; keeps the boxes of all outlines."""
@@ -138,12 +138,3 @@ def _reach(clips: Sequence[Sequence[int]]) -> Bools:
     for number, others in enumerate(clips):
         reach[number, list(others)] = True
     return reach
-
-
-def _box(low: NDArray[np.float32], high: NDArray[np.float32]) -> Box:
-    """The whole pixels that outlines between these corners can touch."""
-    if not len(low):
-        return NOWHERE
-    left, top = np.floor(low.min(axis=0)).astype(int).tolist()
-    right, bottom = np.ceil(high.max(axis=0)).astype(int).tolist()
-    return Box(left - 1, top - 1, right + 1, bottom + 1)

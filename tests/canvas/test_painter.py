@@ -72,17 +72,18 @@ def test_a_frame_is_the_same_alone_and_in_a_run(run: list[tuple]) -> None:
     for fresh, opacity, ground, keep in run:
         points = np.where(np.repeat(keep, OVAL)[:, None], points, fresh)
         before = painter.pixels.copy()
-        box = painter.draw(points, opacity, ground)
+        boxes = painter.draw(points, opacity, ground)
         alone = draw(SHAPES, points, opacity, ground)
         assert (painter.pixels == alone).all()
-        box.of(before)[...] = box.of(painter.pixels)
-        assert (before == painter.pixels).all(), "something changed outside the box"
+        for box in boxes:
+            box.of(before)[...] = box.of(painter.pixels)
+        assert (before == painter.pixels).all(), "something changed outside the boxes"
 
 
 def test_a_frame_that_is_the_same_again_changes_nothing() -> None:
     painter = Painter(WIDTH, HEIGHT, SHAPES)
     points = np.concatenate([oval(40 + n, 30, 20, 10) for n in range(6)])
-    assert painter.draw(points, np.ones(6), WHITE) == Box(0, 0, WIDTH, HEIGHT)
+    assert painter.draw(points, np.ones(6), WHITE) == (Box(0, 0, WIDTH, HEIGHT),)
     assert not painter.draw(points + 1e-9, np.ones(6), WHITE)
 
 
