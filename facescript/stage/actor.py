@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from facescript.ir.play import Face, Film
 from facescript.performance.performance import REST, Frames
-from facescript.rig.picture import Contour, Paint, Shape
-from facescript.rig.rigs import rig
+from facescript.rig.cartoon.backdrop import backdrop
+from facescript.rig.picture import Contour, Paint, Picture, Shape
+from facescript.rig.rigs import STYLES, rig
 from facescript.space.layout import Standing
 
 Floats = NDArray[np.float64]
@@ -20,29 +21,40 @@ BACKDROP = "background"
 """The group of those shapes of a face's art that stand behind all faces."""
 
 
+def scenery(face: Face) -> tuple[tuple[Shape, ...], Picture]:
+    """The shapes behind a face's bust, and their one frame."""
+    style = STYLES[face.kind]
+    return backdrop(style, style.palette)
+
+
 class Actor:
-    """One face: `shapes` without the part of its backdrop that fills the whole art box, which is `ground` (None where
-    it has none). Points of the shapes are rows of what `draw` gives."""
+    """One face and its backdrop: `shapes` are rows of what `draw` gives. The part of the backdrop that fills the whole
+    art box is not among them but `ground` (None where it has none)."""
 
     def __init__(self, face: Face, standing: Standing, film: Film) -> None:
         self.name = face.name
         self._rig = rig(face)
         self._standing = standing
-        rest = self._rig.draw(REST[None]).points[0]
-        backs = [shape.group == BACKDROP for shape in self._rig.shapes]
-        fills = [back and self._fills(rest[_rows(shape)]) for back, shape in zip(backs, self._rig.shapes, strict=True)]
+        behind, picture = scenery(face)
+        fills = [self._fills(picture.points[0][_rows(shape)]) for shape in behind]
         self._kept = [place for place, fill in enumerate(fills) if not fill]
-        self.shapes: tuple[Shape, ...] = tuple(self._rig.shapes[place] for place in self._kept)
-        self.ground: Paint | None = self._rig.shapes[fills.index(True)].fill if any(fills) else None
-        self.count = len(rest)
+        self.ground: Paint | None = behind[fills.index(True)].fill if any(fills) else None
+        self._behind = picture.points[0], picture.opacity[0, self._kept]
+        rest = self._rig.draw(REST[None]).points[0]
+        backs = moved([behind[place] for place in self._kept], len(rest))
+        self.shapes: tuple[Shape, ...] = (*backs, *self._rig.shapes)
+        self.count = len(rest) + len(self._behind[0])
         self._hem = self._hung(rest, film)
 
     def draw(self, frames: Frames) -> tuple[Floats, Floats]:
         """Points array[frame, point, 2] in picture px and opacity array[frame, shape] of poses."""
         picture = self._rig.draw(frames)
-        points = picture.points * self._standing.scale + (self._standing.left, self._standing.top)
-        points[..., 1] += self._hem
-        return points, picture.opacity[:, self._kept]
+        points, opacity = (np.repeat(part[None], len(frames), axis=0) for part in self._behind)
+        joined = np.concatenate([picture.points, points], axis=1)
+        joined *= self._standing.scale
+        joined += self._standing.left, self._standing.top
+        joined[:, : len(self._hem), 1] += self._hem
+        return joined, np.concatenate([opacity, picture.opacity], axis=1)
 
     def _fills(self, points: Floats) -> bool:
         """Whether an outline goes all around the art box."""
@@ -52,15 +64,12 @@ class Actor:
 
     def _hung(self, rest: Floats, film: Film) -> Floats:
         """How much lower each point hangs than drawn: a bust that is cut off goes down to the film's edge."""
-        own = np.zeros(len(rest), dtype=bool)
-        for shape in self.shapes:
-            own[_rows(shape)] |= shape.group != BACKDROP
-        lowest = float(rest[own, 1].max(initial=self._rig.box[1]))
+        lowest = float(rest[:, 1].max())
         bottom = self._standing.top + lowest * self._standing.scale
-        return np.where(own & (rest[:, 1] >= lowest - 0.5), max(0.0, film.height - bottom), 0.0)
+        return np.where(rest[:, 1] >= lowest - 0.5, max(0.0, film.height - bottom), 0.0)
 
 
-def moved(shapes: Sequence[Shape], first: int, prefix: str, moving: bool) -> list[Shape]:
+def moved(shapes: Sequence[Shape], first: int, prefix: str = "", moving: bool = False) -> list[Shape]:
     """Shapes for a longer list of points, theirs from row `first` on, with a prefix to all ids."""
     return [
         replace(

@@ -13,7 +13,7 @@ from facescript.stage.timeline import Timeline
 CLOSE = 1.6
 """From this zoom on a face is centred on the middle of its head, at 100 % on the middle of its art box."""
 
-HEAD = (EYES[0], EYES[1] - 12.0)
+HEAD = (EYES[0], EYES[1] - 18.0)
 """The middle of a head with its hair, in the art box."""
 
 

@@ -27,17 +27,22 @@ def block(left: float, top: float, right: float, bottom: float) -> np.ndarray:
     return np.repeat(corners, 3, axis=0)[1:-1]
 
 
+def scenery(face: Face) -> tuple[tuple[Shape, ...], Picture]:
+    """A wall that fills the art box, and a disc on it."""
+    wall = Shape("wall", "background", (Contour(0, 13),), WALL, moving=False)
+    disc = Shape("disc", "background", (Contour(13, 13),), "#cc9966", moving=False)
+    points = np.concatenate([block(0, 0, 720, 720), block(60, 60, 660, 660)])
+    return (wall, disc), Picture(points[None], np.ones((1, 2)))
+
+
 class BlockRig:
-    """Rectangles: a wall, a disc on it, a body cut off by the box, a head that turns, a mouth inside the head."""
+    """Rectangles: a body cut off by the box, a head that turns, a mouth inside the head."""
 
     box, eyes, eye_distance = (BOX, BOX), EYES, 116.0
-    places = (block(0, 0, 720, 720), block(60, 60, 660, 660), block(160, 500, 560, 720), block(200, 120, 520, 520),
-              block(300, 440, 420, 480))  # fmt: skip
+    places = (block(160, 500, 560, 720), block(200, 120, 520, 520), block(300, 440, 420, 480))
     shapes = tuple(
         Shape(name, group, (Contour(13 * number, 13),), fill, clip)
         for number, (name, group, fill, clip) in enumerate([
-            ("wall", "background", WALL, ()),
-            ("disc", "background", "#cc9966", ()),
             ("body", "clothes", "#224488", ()),
             ("head", "face", "#eebb99", ()),
             ("mouth", "mouth", "#aa3333", ("head",)),
@@ -46,8 +51,8 @@ class BlockRig:
 
     def draw(self, frames: Frames) -> Picture:
         points = np.repeat(np.concatenate(self.places)[None], len(frames), axis=0)
-        points[:, 39:, 0] += frames[:, [INDEX["head.yaw"]]]
-        return Picture(points, np.ones((len(frames), 5)))
+        points[:, 13:, 0] += frames[:, [INDEX["head.yaw"]]]
+        return Picture(points, np.ones((len(frames), 3)))
 
 
 class Turning:
