@@ -15,6 +15,10 @@ from facescript.speech.model import VoiceFailure
 from facescript.text import Span
 
 
+TIMED = ("FS406", "FS407", "FS408", "FS409")
+"""What depends on when something is, not only on what refers to what."""
+
+
 @dataclass(slots=True)
 class Faults:
     """The faults of one round, each place once for each code."""
@@ -34,10 +38,12 @@ class Faults:
         return any(fault.severity is Severity.ERROR for fault in self.found.values())
 
     def hand_over(self, diagnostics: Diagnostics) -> None:
-        """Append them all, errors first, in the order of the script."""
+        """Append them, errors first. In a circle no time is sure, so what only follows from its times is left out."""
         order = {Severity.ERROR: 0, Severity.WARNING: 1, Severity.HINT: 2}
+        circle = any(fault.code == "FS405" for fault in self.found.values())
         for fault in sorted(self.found.values(), key=lambda fault: order[fault.severity]):
-            diagnostics.add(fault)
+            if not (circle and fault.code in TIMED):
+                diagnostics.add(fault)
 
     # -------------------------------------------------------------------------------------------- by code
 

@@ -73,6 +73,7 @@ def test_a_circle_through_the_sequence_itself() -> None:
 
 def test_a_statement_that_waits_for_itself() -> None:
     assert scheduled("at me.end: nod as me\n").codes == ["FS405"]
+    assert scheduled("at me.end - 2s: nod as me\nwait 1s\nwait until me.start\n").codes == ["FS405"]
 
 
 def test_a_fault_is_told_once_however_often_it_is_played() -> None:
@@ -140,3 +141,9 @@ def test_a_broken_voice_is_told_once() -> None:
     assert schedule(play, Broken(), diagnostics) is None
     assert [item.code for item in diagnostics] == ["FS501"]
     assert schedule(play, Metronome(), Diagnostics()) is not None
+
+
+def test_a_long_line_is_in_the_way_of_all_that_follow() -> None:
+    done = scheduled('say "one two three four five"\nat 300ms: say "six"\nat 1.2s: say "seven"\n')
+    first = 'say "one two three four five"'
+    assert places(done, "FS403") == [('say "six"', [first]), ('say "seven"', [first])]
