@@ -14,7 +14,6 @@ from facescript.schedule.steps import NEVER, Step
 from facescript.speech.model import VoiceFailure
 from facescript.text import Span
 
-
 TIMED = ("FS406", "FS407", "FS408", "FS409")
 """What depends on when something is, not only on what refers to what."""
 

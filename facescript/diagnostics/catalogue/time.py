@@ -110,7 +110,7 @@ TIME: tuple[Entry, ...] = (
         "FS411",
         "repeat-endless",
         Severity.ERROR,
-        "`repeat forever` has no end here: say how long the film is (`film 30s long`), or how often (`repeat 3 times`).",
+        "`repeat forever` has no end here: say how long the film is (`film 30s long`) or how often (`repeat 3 times`).",
         "repeat forever:\n    nod\n    wait 1s\n",
         "film 10s long\n\nrepeat forever:\n    nod\n    wait 1s\n",
         "A film must end; live, `forever` lasts until the scene is stopped.",
