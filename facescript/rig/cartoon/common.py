@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from facescript.rig.cartoon.outline import Loop, Part, both, disc, loop, mirror, ribbon
+from facescript.rig.cartoon.outline import Loop, Part, both, loop, mirror, ribbon, spot
 from facescript.rig.cartoon.palette import Palette, mix
 from facescript.rig.picture import Linear, Paint, Radial, Stop
 
@@ -104,7 +104,7 @@ def brow_parts(p: Palette, body: Loop, hairs: Sequence[Loop]) -> tuple[Part, ...
 
 def cheek_parts(p: Palette, x: float, y: float, strength: tuple[float, float], opacity: float) -> tuple[Part, ...]:
     """Blush, and the folds that the mouth draws."""
-    blush = Part("cheek-blush", "cheeks", "skin", glow(p["skin.blush"], *strength), (disc(x, y, 42, 30),), opacity)
+    blush = Part("cheek-blush", "cheeks", "skin", glow(p["skin.blush"], *strength), (spot(x, y, 42, 30),), opacity)
     folds = [Part(f"cheek-fold-{side}", "cheeks", "skin", p["skin.line"], (), 0) for side in ("right", "left")]
     return (*both(blush), *folds)
 

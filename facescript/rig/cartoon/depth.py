@@ -110,10 +110,11 @@ def contour(x: float, y: float, head: Head) -> Depth:
 
 
 def skin(x: float, y: float, head: Head) -> Depth:
-    """On the face's surface: a feature in the middle, the outline's depth at the sides."""
+    """On the face's surface: a feature in the middle, the outline's depth at the sides; the forehead recedes."""
     edge = contour(x, y, head)
     t = smooth(0.70, 1.02, abs(x))
-    return Depth(mix(relief(front(x)), edge.z, t), edge.slide * t, 0.16 * (1 - t))
+    brow = front(x) - 0.32 * smooth(0.75, 1.3, -y)
+    return Depth(mix(relief(brow), edge.z, t), edge.slide * t, 0.16 * (1 - t))
 
 
 def nose(x: float, y: float, head: Head) -> Depth:
@@ -158,7 +159,7 @@ def hair(x: float, y: float, head: Head) -> Depth:
     ball = 0.115 + (crest - 0.115) * math.sqrt(1 - round_ * round_) * (1 - rim)
     skull = skin(x, y, head)
     outside = smooth(0.98, 1.16, abs(x) / (lookup(head.outline, y) + 0.08))
-    t = max(outside, smooth(-1.3, -1.65, y))
+    t = max(outside, smooth(1.1, 1.5, -y))
     over = Depth(mix(skull.z + 0.08, ball, t), skull.slide * (1 - t), skull.flatten * (1 - t))
     return Depth(over.z, over.slide, over.flatten, t * rim, _hanging(y))
 

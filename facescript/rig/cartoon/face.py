@@ -40,7 +40,8 @@ class CartoonRig:
         self._table = self._lay_out((*parts, *points.feature_parts(style)))
         spots = list(zip(self._table.owner, self._table.x.tolist(), self._table.y.tolist(), strict=True))
         head = Head([(y / style.d, x / style.d) for x, y in style.outline], style.shell)
-        depths = [LAWS[law](x / style.d, y / style.d, head) for (_, law), x, y in spots]
+        lying = zip(self._table.owner, self._table.middle, strict=True)
+        depths = [LAWS[law](x / style.d, y / style.d, head) for (_, law), (x, y) in lying]
         self._turn = Turn(self._table.x, self._table.y, depths, style.d)
         self._effects = effects(pulls(style), [(part, law, x, y) for (part, law), x, y in spots])
         self._opacity = np.array([part.opacity for part in parts])

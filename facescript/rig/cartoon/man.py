@@ -16,7 +16,7 @@ from facescript.rig.cartoon.common import (
 )
 from facescript.rig.cartoon.eye import EyeStyle
 from facescript.rig.cartoon.mouth import MouthStyle
-from facescript.rig.cartoon.outline import Part, both, disc, loop, mirror, ribbon
+from facescript.rig.cartoon.outline import Part, both, disc, loop, mirror, ribbon, spot
 from facescript.rig.cartoon.palette import Palette, mix
 from facescript.rig.cartoon.style import BrowStyle, FaceStyle
 from facescript.rig.picture import Radial, Stop
@@ -221,7 +221,7 @@ def _face(p: Palette) -> tuple[Part, ...]:
         Part("face-side", "face", "skin", plane, (side,), clip=FACE),
         Part("face-hair-shadow", "face", "skin", p["skin.deep"], (cast,), 0.42, FACE),
         Part("face-forehead-light", "face", "skin", glow(p["skin.gleam"], 0.95, 0.5), (brow,), 0.55),
-        Part("face-chin-light", "face", "mouth", glow(p["skin.gleam"], 0.95, 0.5), (disc(-4, 158, 24, 13),), 0.28),
+        Part("face-chin-light", "face", "mouth", glow(p["skin.gleam"], 0.95, 0.5), (spot(-4, 158, 24, 13),), 0.28),
     )
 
 

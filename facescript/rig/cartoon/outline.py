@@ -14,6 +14,26 @@ Point = Sequence[float]
 
 Loop = tuple[Anchor, ...]
 
+Spine = tuple[tuple[float, float], ...]
+
+
+class Ribbon(tuple[Anchor, ...]):
+    """A stroke's or a spot's outline that knows its middle at each anchor: what is thin lies at one depth across."""
+
+    spine: Spine
+
+    @classmethod
+    def along(cls, outline: Loop, spine: Spine) -> Ribbon:
+        ribbon = cls(outline)
+        ribbon.spine = spine
+        return ribbon
+
+
+def spine(outline: Loop) -> Spine:
+    """Where the depth of each anchor is taken: the stroke's middle, or the anchor itself."""
+    return outline.spine if isinstance(outline, Ribbon) else tuple((x, y) for x, y, _ in outline)
+
+
 POINTED = 0.02
 """A ribbon's end narrower than this is a point."""
 
@@ -45,7 +65,12 @@ def disc(x: float, y: float, rx: float, ry: float) -> Loop:
     return loop((x + rx, y), (x, y + ry), (x - rx, y), (x, y - ry))
 
 
-def ribbon(*points: Point) -> Loop:
+def spot(x: float, y: float, rx: float, ry: float) -> Ribbon:
+    """A small ellipse that lies at one depth: a light, a blush, a jewel."""
+    return Ribbon.along(disc(x, y, rx, ry), ((x, y),) * 4)
+
+
+def ribbon(*points: Point) -> Ribbon:
     """A stroke as an outline; points are x, y, width and, where it bends sharply, a fourth number."""
     left: list[Anchor] = []
     right: list[Anchor] = []
@@ -58,21 +83,23 @@ def ribbon(*points: Point) -> Loop:
         sharp = i in (0, last) or bool(corner)
         left.append((x + nx, y + ny, sharp))
         right.append((x - nx, y - ny, sharp))
+    there = [(float(p[0]), float(p[1])) for p in points]
+    back = there[:]
     if points[last][2] < POINTED:
         right.pop()
+        back.pop()
     if points[0][2] < POINTED:
         right.pop(0)
-    return tuple(left + right[::-1])
+        back.pop(0)
+    return Ribbon.along(tuple(left + right[::-1]), tuple(there + back[::-1]))
 
 
 def mirror(outline: Loop) -> Loop:
     """The outline on the other side of the face, running the same way round."""
-    return tuple((-x, y, corner) for x, y, corner in reversed(outline))
-
-
-def closed_by_mirror(half: Loop) -> Loop:
-    """A symmetric outline from its right half, whose first and last points lie on the axis."""
-    return half + mirror(half)[1:-1]
+    turned = tuple((-x, y, corner) for x, y, corner in reversed(outline))
+    if isinstance(outline, Ribbon):
+        return Ribbon.along(turned, tuple((-x, y) for x, y in reversed(outline.spine)))
+    return turned
 
 
 def both(part: Part) -> tuple[Part, Part]:

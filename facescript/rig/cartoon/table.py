@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.rig.cartoon.outline import Loop, Part
+from facescript.rig.cartoon.outline import Loop, Part, spine
 from facescript.rig.cartoon.spline import Term, handle_map
 from facescript.rig.picture import Contour
 
@@ -24,12 +24,13 @@ WARY = 0.5
 class Table:
     """Anchors of all parts, and each point of the picture as a sum of at most three of them.
 
-    `x`, `y` are the anchors at rest (px), `rows` and `contours` each part's share; `source` and `weight` are
-    array[3, point] and array[3, point, 1].
+    `x`, `y` are the anchors at rest (px), `middle` where their depth is taken, `rows` and `contours` each part's
+    share; `source` and `weight` are array[3, point] and array[3, point, 1].
     """
 
     x: Floats
     y: Floats
+    middle: tuple[tuple[float, float], ...]
     owner: tuple[tuple[str, str], ...]
     rows: dict[str, slice]
     contours: dict[str, tuple[Contour, ...]]
@@ -50,6 +51,7 @@ def build(parts: Sequence[Part], rest: Loops, fit: Loops, bare: str = "") -> Tab
     Parts of the group `bare` have anchors only: they are moved, and not drawn.
     """
     spots: list[tuple[float, float]] = []
+    middle: list[tuple[float, float]] = []
     owner: list[tuple[str, str]] = []
     terms: list[tuple[Term, ...]] = []
     rows: dict[str, slice] = {}
@@ -61,6 +63,7 @@ def build(parts: Sequence[Part], rest: Loops, fit: Loops, bare: str = "") -> Tab
         for outline, fitted in zip(rest[part.id], fit[part.id], strict=True):
             first, base = len(terms), len(spots)
             spots += [(x, y) for x, y, _ in outline]
+            middle += spine(outline)
             terms += _path(fitted, base, wary) if part.group != bare else []
             mine.append(Contour(first, len(terms) - first))
         rows[part.id] = slice(begin, len(spots))
@@ -68,7 +71,7 @@ def build(parts: Sequence[Part], rest: Loops, fit: Loops, bare: str = "") -> Tab
         owner += [(part.id, part.depth)] * (len(spots) - begin)
     x, y = (np.array(column, dtype=np.float64) for column in zip(*spots, strict=True))
     source, weight = _padded(terms)
-    return Table(x, y, tuple(owner), rows, contours, source, weight)
+    return Table(x, y, tuple(middle), tuple(owner), rows, contours, source, weight)
 
 
 def _path(outline: Loop, base: int, wary: float) -> list[tuple[Term, ...]]:

@@ -16,7 +16,7 @@ from facescript.rig.cartoon.common import (
 )
 from facescript.rig.cartoon.eye import EyeStyle
 from facescript.rig.cartoon.mouth import MouthStyle
-from facescript.rig.cartoon.outline import Part, both, disc, loop, mirror, ribbon
+from facescript.rig.cartoon.outline import Part, both, disc, loop, mirror, ribbon, spot
 from facescript.rig.cartoon.palette import Palette, mix
 from facescript.rig.cartoon.style import BrowStyle, FaceStyle
 from facescript.rig.picture import Radial, Stop
@@ -115,11 +115,11 @@ LOCK_LEFT = (
 
 def _back(p: Palette) -> tuple[Part, ...]:
     mass = loop(
-        (0, -192), (92, -172), (150, -110), (164, -10), (156, 80), (172, 160), (184, 226), (150, 284, 1),
+        (0, -197), (92, -176), (150, -110), (164, -10), (156, 80), (172, 160), (184, 226), (150, 284, 1),
         (120, 276), (60, 270),
         (0, 262), (-60, 270), (-120, 280), (-146, 292, 1), (-188, 226), (-172, 150), (-152, 80), (-160, -10),
         (-148, -110),
-        (-92, -172),
+        (-92, -176),
     )  # fmt: skip
     strands = [
         outline
@@ -195,9 +195,9 @@ def _ears(p: Palette) -> tuple[Part, ...]:
     return (
         *both(Part("ear", "ears", "ear", tone, (rim,))),
         *both(Part("ear-inner", "ears", "ear", p["skin.deep"], (inner,), 0.55)),
-        Part("earrings", "ears", "ear", p["fixed.gold"], (disc(-124, 55, 6, 6), disc(124, 55, 6, 6))),
+        Part("earrings", "ears", "ear", p["fixed.gold"], (spot(-124, 55, 6, 6), spot(124, 55, 6, 6))),
         Part(
-            "earrings-light", "ears", "ear", p["fixed.gold-light"], (disc(-126, 53, 2.1, 2.1), disc(122, 53, 2.1, 2.1))
+            "earrings-light", "ears", "ear", p["fixed.gold-light"], (spot(-126, 53, 2.1, 2.1), spot(122, 53, 2.1, 2.1))
         ),
     )
 
@@ -219,7 +219,7 @@ def _face(p: Palette) -> tuple[Part, ...]:
         Part("face-side", "face", "skin", plane, (side,), clip=FACE),
         Part("face-hair-shadow", "face", "skin", p["skin.deep"], (cast,), 0.40, FACE),
         Part("face-forehead-light", "face", "skin", glow(p["skin.gleam"], 0.95, 0.5), (brow,), 0.5),
-        Part("face-chin-light", "face", "mouth", glow(p["skin.gleam"], 0.95, 0.5), (disc(-4, 155, 24, 13),), 0.42),
+        Part("face-chin-light", "face", "mouth", glow(p["skin.gleam"], 0.95, 0.5), (spot(-4, 155, 24, 13),), 0.42),
     )
 
 
