@@ -141,6 +141,7 @@ def _inline_cues(project: Project, inlines: tuple[Inline, ...], length: int, pla
     for inline in inlines:
         try:
             project.spend(1, inline.span)
+            _nameless(project, inline)
             bare = _is_bare(project, inline)
             phrases = _with_add(inline) if bare else inline.phrases
             node = _line(project, phrases, inline.span, place)
@@ -149,6 +150,15 @@ def _inline_cues(project: Project, inlines: tuple[Inline, ...], length: int, pla
         until = length if bare and inline.until is None else inline.until
         cues.append(Cue(Sequence((node,), inline.span), at=inline.at, until=until))
     return tuple(cues)
+
+
+def _nameless(project: Project, inline: Inline) -> None:
+    """Refuses a name given inside a text: names are known before texts are read."""
+    for phrase in inline.phrases:
+        for word in phrase.words:
+            if isinstance(word, tree.Name) and word.text == "as":
+                advice = 'only a statement of its own is named; write it under the line with `on "word":`'
+                raise project.refuse("FS312", word.span, text="as", advice=advice)
 
 
 def _is_bare(project: Project, inline: Inline) -> bool:

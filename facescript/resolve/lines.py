@@ -18,6 +18,9 @@ from facescript.text import Span
 
 Words = tuple[Word, ...]
 
+MANY = 13
+"""Modifiers of one line beyond which a message has their names only."""
+
 
 class Line:
     """A line in pieces: `head` are its first words, `parts` the words of each modifier's value by its name.
@@ -70,7 +73,8 @@ class Line:
 
     def _stranger(self, words: Words, span: Span) -> Refused:
         """Refuses words that are no modifier of this line: another verb's, a misspelt one, or none at all."""
-        taken = ", ".join(f"`{row.form}`" for row in self.rows.values()) or "no modifiers"
+        forms = [row.form if len(self.rows) <= MANY else row.name for row in self.rows.values()]
+        taken = ", ".join(f"`{form}`" for form in forms) or "no modifiers"
         row, _ = match(words, MODIFIERS)
         if row is not None:
             return self.project.refuse("FS309", span, called=self.called, form=row.form, taken=taken)

@@ -103,8 +103,7 @@ def _primitive(project: Project, reader: Reader, name: str, primitive: Primitive
 
 def _called(project: Project, reader: Reader, word: Call, sign: float) -> Term:
     definition, _ = find_expression(project, word.name)
-    if not isinstance(definition.node, ExpressionDefinition):
-        raise AssertionError
+    assert isinstance(definition.node, ExpressionDefinition)
     project.called(word.span)
     given = [(argument.name, argument.value.words, argument.span) for argument in word.arguments]
     scope = bind(project, definition.node.parameters, given, reader.scope, word.span, definition.name)

@@ -47,6 +47,8 @@ def _later(project: Project, line: Line) -> bool:
 
 def _pieces(project: Project, reader: Reader, more: tuple[String, ...], recorded: bool) -> tuple[Piece, ...]:
     if reader.word("text"):
+        for string in more:
+            project.report("FS312", string.span, text=string.span.text, advice="the text stands in the file")
         return (_file(project, reader),)
     strings = []
     while isinstance(word := reader.peek(), String):

@@ -119,6 +119,7 @@ def test_rates_are_factors_of_the_voice() -> None:
         ('say "A [look at lamb]b."', "FS202", "lamb"),
         ('say "[nod]"', "FS320", 'say "[nod]"'),
         ('say "A [say c]b."', "FS312", "say c"),
+        ('say "A [nod as c]b."', "FS312", "as"),
     ],
 )
 def test_faults_point_at_their_place(text: str, code: str, marked: str) -> None:
