@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import takewhile
 
 from facescript.syntax.faults import Faults
 from facescript.syntax.lexer import Line
 
 DEEPEST = 32
 """How many blocks, counted by their colons, may stand in each other; brackets likewise."""
+
+MOST_MOVED = 100
+"""Lines that a fix of indentation moves."""
 
 Block = list[Line]
 """A line without indentation and those indented below it."""
@@ -38,32 +42,38 @@ class _Levels:
         self.odd: dict[int, int] = {}
 
     def set(self, lines: list[Line]) -> None:
-        for line in lines:
-            line.level = self._level(line)
+        for index, line in enumerate(lines):
+            line.level = self._level(lines, index)
 
-    def _level(self, line: Line) -> int:
-        indent, widths = line.indent, self.widths
+    def _level(self, lines: list[Line], index: int) -> int:
+        indent, widths = lines[index].indent, self.widths
         inner = indent
         while widths[-1] > indent:
             inner = widths.pop()
         if widths[-1] == indent:
-            self.odd.clear()
+            self.odd = {odd: width for odd, width in self.odd.items() if width <= indent}
         elif indent in self.odd:
             self._reopen(self.odd[indent], inner)
         elif inner == indent:
             widths.append(indent)
         else:
-            self._between(line, widths[-1], inner)
+            self._between(lines[index : index + MOST_MOVED], widths[-1], inner)
         return len(widths) - 1
 
-    def _between(self, line: Line, outer: int, inner: int) -> None:
+    def _between(self, lines: list[Line], outer: int, inner: int) -> None:
+        """Report the indentation of the first line; the fix moves those below that have the same one."""
+        line = lines[0]
         width = inner if inner - line.indent <= line.indent - outer else outer
-        start = self.faults.source.text.rfind("\n", 0, line.begin) + 1
-        fix = self.faults.fix(f"indent by {width}", (start, line.begin, " " * width))
-        self.faults.add("FS107", start, line.begin, fix, indent=line.indent, outer=outer, inner=inner)
+        same = [other for other in takewhile(lambda other: other.indent > outer, lines) if other.indent == line.indent]
+        edits = [(self._start(other), other.begin, " " * width) for other in same]
+        fix = self.faults.fix(f"indent by {width}", *edits)
+        self.faults.add("FS107", self._start(line), line.begin, fix, indent=line.indent, outer=outer, inner=inner)
         line.faulty = True
         self.odd[line.indent] = width
         self._reopen(width, inner)
+
+    def _start(self, line: Line) -> int:
+        return self.faults.source.text.rfind("\n", 0, line.begin) + 1
 
     def _reopen(self, width: int, inner: int) -> None:
         if width == inner:

@@ -34,10 +34,14 @@ class Faults:
         """A fix of edits (start, end, new text)."""
         return Fix(title, tuple(Edit(self.span(start, end), text) for start, end, text in edits))
 
+    @property
+    def items(self) -> list[Diagnostic]:
+        """Those that are kept, by place."""
+        return sorted(self._items[: self.most], key=lambda item: item.span.start if item.span else 0)
+
     def pour(self, diagnostics: Diagnostics) -> None:
         """All of them, by place, into the list that every pass appends to."""
-        found = sorted(self._items[: self.most], key=lambda item: item.span.start if item.span else 0)
-        for item in found:
+        for item in self.items:
             diagnostics.add(item)
         if self.found > self.most:
             diagnostics.add(diagnose("FS119", self._items[self.most].span, most=self.most))

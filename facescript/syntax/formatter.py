@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from facescript.diagnostics.model import Diagnostics, Edit
+from facescript.diagnostics.model import Diagnostic, Edit, Severity
 from facescript.syntax.faults import Faults
 from facescript.syntax.layout import lay_out
 from facescript.syntax.parser import read
@@ -25,25 +25,23 @@ def format_source(source: Source) -> str:
     """
     text = source.text
     for _ in range(ROUNDS):
-        diagnostics = Diagnostics()
         current = Source(source.name, text)
         faults = Faults(current, most=len(text))
         read(current, faults)
-        faults.pour(diagnostics)
-        if diagnostics.failed:
+        if any(item.severity is Severity.ERROR for item in faults.items):
             return source.text
-        edits = _edits(diagnostics)
+        edits = _edits(faults.items)
         if not edits:
             break
         text = _edited(text, edits)
     return lay_out(Source(source.name, text))
 
 
-def _edits(diagnostics: Diagnostics) -> list[Edit]:
+def _edits(hints: list[Diagnostic]) -> list[Edit]:
     """The edits of all fixes that touch no other's, by place."""
     chosen: list[Edit] = []
-    for item in diagnostics:
-        edits = [edit for fix in item.fixes for edit in fix.edits]
+    for hint in hints:
+        edits = [edit for fix in hint.fixes for edit in fix.edits]
         if not any(_touch(edit, other) for edit in edits for other in chosen[-4:]):
             chosen += edits
     return sorted(chosen, key=lambda edit: edit.span.start)

@@ -187,6 +187,8 @@ class _Lexer:
                 odd += signs.strange_letters(text, start, end)
             if kind == "NAME" and (fresh or word == "with"):
                 kind = keywords.get(word, kind)
+            elif kind == "_OPEN" and tokens and tokens[-1][0] != "NAME":
+                kind = "LPAR"
             token = (kind, word, begin + start, begin + end)
             self.suspect = self.suspect or spacing.suspect(tokens, token)
             tokens.append(token)

@@ -251,7 +251,7 @@ def _report_name(place: Place) -> Mended | None:
 
 
 def _lacks_value(place: Place) -> bool:
-    complete = place.before is not None and place.before[0] in ENDS
+    complete = place.before is not None and (place.before[0] in ENDS or place.before[0] == place.kind == "COLON")
     return not complete and place.kind not in BEGINS and place.accepts("NAME") and place.accepts("STRING")
 
 

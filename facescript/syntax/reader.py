@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
 from typing import Any
 
-from facescript.syntax.blocks import Block
+from facescript.syntax.blocks import MOST_MOVED, Block
 from facescript.syntax.builder import TERMINALS, Builder
 from facescript.syntax.faults import Faults
 from facescript.syntax.lexer import Line
@@ -61,10 +62,10 @@ class _BlockReader:
 
     def read(self, block: Block) -> Any:
         self.place = block[0].begin
-        for line in block:
+        for index, line in enumerate(block):
             self._close(line.level)
             if line.level > len(self.open):
-                self._open(line)
+                self._open(block[index : index + MOST_MOVED])
             elif self._hungry():
                 self._no_body()
             if self.lost_level is not None and line.level > self.lost_level:
@@ -120,8 +121,9 @@ class _BlockReader:
             if self.open.pop():
                 self.machine.run([self._mark("_DEDENT")])
 
-    def _open(self, line: Line) -> None:
-        """Enter the block that a line begins by its indentation, where there is one."""
+    def _open(self, lines: list[Line]) -> None:
+        """Enter the block that the first of some lines begins by its indentation, where there is one."""
+        line = lines[0]
         must = self._hungry()
         mark = self.machine.mark()
         if self.machine.run([self._mark("_INDENT")]):
@@ -135,18 +137,19 @@ class _BlockReader:
             self.open.append(True)
             return
         self.open.append(False)
-        self._unexpected(line)
+        if not line.faulty:
+            line.faulty = True
+            self._unexpected(lines)
 
-    def _unexpected(self, line: Line) -> None:
-        if line.faulty:
-            return
-        start = self.faults.source.text.rfind("\n", 0, line.begin) + 1
-        margin = " " * (self.before[0].indent if self.before else 0)
-        fix = self.faults.fix(
-            "indent it like the line above" if self.before else "remove the spaces", (start, line.begin, margin)
-        )
-        self.faults.add("FS108", start, line.begin, fix)
-        line.faulty = True
+    def _unexpected(self, lines: list[Line]) -> None:
+        """Report the indentation of the first line; the fix moves all that stand as deep as it."""
+        margin = self.before[0].indent if self.before else 0
+        run = takewhile(lambda line: line.level >= lines[0].level, lines)
+        edits = [(*self._margin(line), " " * (line.indent - lines[0].indent + margin)) for line in run]
+        self.faults.add("FS108", *self._margin(lines[0]), self.faults.fix("indent it like the line above", *edits))
+
+    def _margin(self, line: Line) -> tuple[int, int]:
+        return self.faults.source.text.rfind("\n", 0, line.begin) + 1, line.begin
 
     def _add_colon(self, header: Line, mark: Mark) -> None:
         """Read the line above again with the colon that it lacks."""
@@ -155,7 +158,10 @@ class _BlockReader:
             report_no_colon(_after_colon(header)[0], header.tokens[-1], self.faults)
             header.faulty = True
         self.machine.restore(mark)
-        self.machine.run([*self._ended([*header.tokens, ("COLON", ":", end, end)]), self._mark("_INDENT")])
+        tokens = header.tokens
+        if [token[1] for token in tokens[-2:]] == ["in", "turn"]:
+            tokens = [*tokens[:-2], ("IN_TURN", "in turn", tokens[-2][2], end)]
+        self.machine.run([*self._ended([*tokens, ("COLON", ":", end, end)]), self._mark("_INDENT")])
 
     def _hungry(self) -> bool:
         """Whether a block must follow: the line before ended in its colon."""

@@ -18,7 +18,7 @@ class Table:
 
     `states[n]` maps a terminal or a rule's name to the state that follows it, or a terminal to `~r`: reduce by rule r.
     `rules[r]` is (rule's name, number of its symbols, what to build, which symbols have a value, which are chains):
-    what to build is a method of `builder.py`, "" for the one value as it is, "+" for a chain, Lark's helper for repeats.
+    what to build is a method of `builder.py`, "" for the one value as it is, "+" for a chain, Lark's way to repeat.
     `starts` and `ends` are the first and the accepting state of each start rule, `keywords` the words in quotes with
     their terminals, `pattern` one regular expression with a group for every other terminal.
     """
