@@ -62,7 +62,7 @@ def write_gif(job: Job, path: Path) -> None:
     """A GIF that loops for ever, one palette of 256 colours for the whole film. Raises `JobFailure`."""
     step = int(np.ceil(job.fps / SWIFTEST_GIF))
     times = job.times()[::step]
-    source = raw_input("rgb24", job.stage.width, job.stage.height, job.fps / step)
+    source = raw_input("bgr0", job.stage.width, job.stage.height, job.fps / step)
     with tempfile.TemporaryDirectory(prefix="facescript-") as folder, drawing_faults():
         palette = Path(folder) / "palette.png"
         some = times[np.unique(np.linspace(0, len(times) - 1, PALETTE_FRAMES).round().astype(int))]

@@ -61,17 +61,11 @@ def drawn(stage: Stage, painter: Painter, cloth: Backcloth, times: Floats) -> It
 
 
 def pictures(stage: Stage, times: Floats) -> Iterator[Bytes]:
-    """Each moment as array[y, x, (R, G, B)]."""
+    """Each moment as array[y, x, (B, G, R, unused)], which the next moment overwrites."""
     painter = Painter(stage.width, stage.height, stage.shapes)
     cloth = Backcloth(stage.width, stage.height, stage.pictures)
     for _ in drawn(stage, painter, cloth, times):
-        yield rgb(painter.pixels)
-
-
-def rgb(pixels: NDArray[np.uint32]) -> Bytes:
-    """array[y, x] of 0xAARRGGBB as array[y, x, (R, G, B)]."""
-    shifts = np.array([16, 8, 0], dtype=np.uint32)
-    return (pixels[..., None] >> shifts & np.uint32(0xFF)).astype(np.uint8)
+        yield painter.pixels.astype("<u4", copy=False).view(np.uint8).reshape(stage.height, stage.width, 4)
 
 
 def planes(stage: Stage, times: Floats) -> Iterator[Bytes]:

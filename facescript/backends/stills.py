@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
 from PIL import Image
 
 from facescript.backends.frames import drawing_faults, pictures
@@ -21,5 +22,5 @@ def write_pngs(job: Job, paths: Sequence[Path]) -> None:
     times = job.times()[: len(paths)]
     with drawing_faults():
         for number, (frame, path) in enumerate(zip(pictures(job.stage, times), paths, strict=True), start=1):
-            Image.fromarray(frame).save(path, "PNG")
+            Image.fromarray(np.ascontiguousarray(frame[..., 2::-1])).save(path, "PNG")
             job.progress(number, len(paths))

@@ -152,14 +152,34 @@ def test_png_is_the_moment_asked_for(job: Job, tmp_path: Path) -> None:
         assert picture.size == (97, 54)
         seen = np.asarray(picture)
     (drawn,) = pictures(job.stage, np.array([1.0]))
-    assert (seen == drawn).all()
+    assert (seen == drawn[..., 2::-1]).all()
+
+
+def test_colours_are_those_of_the_script(job: Job, tmp_path: Path) -> None:
+    stills.write_png(job.moment(0.0), tmp_path / "one.png")
+    write_gif(job, tmp_path / "film.gif")
+    write_mp4(job, tmp_path / "film.mp4")
+    first = [
+        program(),
+        "-loglevel",
+        "error",
+        "-i",
+        str(tmp_path / "film.mp4"),
+        "-frames:v",
+        "1",
+        str(tmp_path / "mp4.png"),
+    ]
+    subprocess.run(first, check=True)
+    for name in ("one.png", "film.gif", "mp4.png"):
+        with Image.open(tmp_path / name) as picture:
+            assert picture.convert("RGB").getpixel((2, 2)) == pytest.approx((0xDF, 0xE8, 0xF2), abs=5), name
 
 
 def test_numbered_pngs_are_the_frames_in_their_order(job: Job, tmp_path: Path) -> None:
     paths = [tmp_path / f"{number}.png" for number in range(5)]
     stills.write_pngs(job, paths)
     for path, frame in zip(paths, pictures(job.stage, job.times()[:5]), strict=True):
-        assert (np.asarray(Image.open(path)) == frame).all()
+        assert (np.asarray(Image.open(path)) == frame[..., 2::-1]).all()
 
 
 def test_a_broken_picture_is_a_failure_with_its_name(tmp_path: Path) -> None:
