@@ -52,7 +52,7 @@ def test_looks_tint_their_family_and_nothing_else(kind: str) -> None:
     plain, tinted_rig = rig(face(kind)), rig(face(kind, hair="#ff88cc"))
     changed = {a.id for a, b in zip(plain.shapes, tinted_rig.shapes, strict=True) if paint(a.fill) != paint(b.fill)}
     assert changed
-    assert all(name.startswith(("hair-", "brow-", "face-stubble")) for name in changed)
+    assert all(name.startswith(("hair-", "brow-body", "brow-hairs")) for name in changed)
 
 
 @KINDS

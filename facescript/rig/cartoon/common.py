@@ -95,10 +95,10 @@ def brow_parts(p: Palette, body: Loop, hairs: Sequence[Loop]) -> tuple[Part, ...
     """Both brows from that on the image's right: lighter and softer at the nose."""
     parts = []
     for side, line, turn in (("right", ((1, 0), (0, 0)), mirror), ("left", ACROSS, lambda outline: outline)):
-        fill = ramp((0, p["hair.brow"], 0.8), (0.3, p["hair.brow-body"]), (1, p["hair.brow-tail"]), line=line)
+        fill = ramp((0, p["brows.light"], 0.8), (0.3, p["brows.base"]), (1, p["brows.tail"]), line=line)
         parts.append(Part(f"brow-body-{side}", f"brow-{side}", "brow", fill, (turn(body),)))
         loops = tuple(turn(outline) for outline in hairs)
-        parts.append(Part(f"brow-hairs-{side}", f"brow-{side}", "brow", p["hair.brow-hair"], loops, 0.55))
+        parts.append(Part(f"brow-hairs-{side}", f"brow-{side}", "brow", p["brows.hair"], loops, 0.55))
     return tuple(parts)
 
 

@@ -46,11 +46,11 @@ PALETTE: Palette = {
     "hair.light": "#7a5647",
     "hair.side": "#33231e",
     "hair.side-low": "#3a2822",
-    "hair.stubble": "#4a2f26",
-    "hair.brow": "#3a2720",
-    "hair.brow-body": "#33211b",
-    "hair.brow-tail": "#241613",
-    "hair.brow-hair": "#190f0d",
+    "skin.stubble": "#4a2f26",
+    "brows.light": "#3a2720",
+    "brows.base": "#33211b",
+    "brows.tail": "#241613",
+    "brows.hair": "#190f0d",
     "eyes.base": "#85522b",
     "eyes.light": "#a9713f",
     "eyes.rays": "#c99256",
@@ -202,7 +202,7 @@ def _face(p: Palette) -> tuple[Part, ...]:
     base, shade = p["skin.base"], p["skin.shade"]
     skin = Radial((Stop(0, p["skin.light"]), Stop(0.55, base), Stop(1, mix(base, shade, 0.5))), (0.38, 0.42), 0.72)
     growth = Radial(
-        (Stop(0, p["hair.stubble"], 0.30), Stop(0.5, p["hair.stubble"], 0.25), Stop(1, p["hair.stubble"], 0))
+        (Stop(0, p["skin.stubble"], 0.30), Stop(0.5, p["skin.stubble"], 0.25), Stop(1, p["skin.stubble"], 0))
     )
     side = loop(
         (140, -120, 1), (106, -60), (104, 0), (107, 40), (97, 96), (76, 140), (40, 170), (0, 190), (60, 210),

@@ -11,14 +11,27 @@ Palette = dict[str, str]
 Lab = tuple[float, float, float]
 
 
+TONED = 0.6
+"""How much of a tone's own chroma and hue (against its base) a new colour keeps: all of it looks painted on."""
+
+BRIGHTEST = 1.6
+"""Light tones stand out from a dark base by at most this many times what they do from the drawn one."""
+
+BROWS = "#2e211b", 0.4
+"""Brows are darker than hair: the hair's colour with this share of this brown."""
+
+
 def tinted(palette: Mapping[str, str], looks: Mapping[str, str]) -> Palette:
     """The palette with each family of `looks` (hair, skin, eyes, lips, clothes) built on the colour given.
 
-    Every tone keeps its distance in lightness, its share of chroma and its difference of hue from the family's
-    `base`, measured in OKLab (B. Ottosson, 2020).
+    Every tone keeps its place in lightness against the family's `base`, and most of its share of chroma and its
+    difference of hue, measured in OKLab (B. Ottosson, 2020). Brows follow the hair.
     """
     out = dict(palette)
-    for family, colour in looks.items():
+    families = dict(looks)
+    if "hair" in families:
+        families["brows"] = mix(families["hair"], *BROWS)
+    for family, colour in families.items():
         base = to_lab(palette[f"{family}.base"])
         for name, tone in palette.items():
             if name.startswith(f"{family}."):
@@ -34,12 +47,12 @@ def mix(a: str, b: str, t: float) -> str:
 
 def _moved(tone: Lab, base: Lab, new: Lab) -> Lab:
     darker = new[0] * tone[0] / base[0]
-    lighter = 1 - (1 - new[0]) * (1 - tone[0]) / (1 - base[0])
+    lighter = new[0] + (tone[0] - base[0]) * min(BRIGHTEST, (1 - new[0]) / (1 - base[0]))
     chroma, hue = _polar(tone)
     base_chroma, base_hue = _polar(base)
     new_chroma, new_hue = _polar(new)
-    share = new_chroma * chroma / max(base_chroma, 1e-3)
-    angle = new_hue + hue - base_hue
+    share = new_chroma * (chroma / max(base_chroma, 1e-3)) ** TONED
+    angle = new_hue + TONED * math.remainder(hue - base_hue, math.tau)
     return (darker if tone[0] <= base[0] else lighter, share * math.cos(angle), share * math.sin(angle))
 
 
