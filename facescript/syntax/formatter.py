@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from facescript.diagnostics.model import Diagnostic, Edit, Severity
-from facescript.syntax.faults import Faults
+from facescript.syntax.faults import MOST, Faults
 from facescript.syntax.layout import lay_out
 from facescript.syntax.parser import read
 from facescript.text import Source
@@ -23,13 +23,14 @@ def format_source(source: Source) -> str:
     - A comment stands with the line below it, or in the block it was indented for; comments at the ends of lines in a
       row stand below each other. Positions of a moving target stand in columns.
     """
-    text = source.text
+    text, most = source.text, MOST
     for _ in range(ROUNDS):
         current = Source(source.name, text)
-        faults = Faults(current, most=len(text))
+        faults = Faults(current, most)
         read(current, faults)
         if any(item.severity is Severity.ERROR for item in faults.items):
             return source.text
+        most = len(text)
         edits = _edits(faults.items)
         if not edits:
             break

@@ -144,6 +144,7 @@ SIZES: tuple[Entry, ...] = (
         "This script is longer than {largest} characters; move definitions to a file of their own and `use` it.",
         HELLO,
         HELLO,
+        "A file of four million characters is no script that anyone wrote; the compiler reads no more.",
         stage="unforced",
     ),
     Entry(
@@ -161,6 +162,7 @@ SIZES: tuple[Entry, ...] = (
         "More is wrong than the {most} places told; mend these first.",
         HELLO,
         HELLO,
+        "The faults that come first are told, and nobody reads hundreds.",
         stage="unforced",
     ),
 )
