@@ -48,7 +48,7 @@ def _eye(p: Palette, side: str, socket: float, lid: float, lashes: bool) -> list
         0.53,
     )
     rows: list[tuple[str, Paint, float, tuple[str, ...], str]] = [
-        ("socket", hollow, socket, (), "skin"),
+        ("socket", hollow, socket, ("face-skin",), "skin"),
         ("lid", skin, lid, (), "eye"),
         ("white", ramp((0, p["fixed.white-shade"]), (1, p["fixed.white"])), 1, (), "eye"),
         ("iris", iris, 1, white, "ball"),
@@ -104,7 +104,15 @@ def brow_parts(p: Palette, body: Loop, hairs: Sequence[Loop]) -> tuple[Part, ...
 
 def cheek_parts(p: Palette, x: float, y: float, strength: tuple[float, float], opacity: float) -> tuple[Part, ...]:
     """Blush, and the folds that the mouth draws."""
-    blush = Part("cheek-blush", "cheeks", "skin", glow(p["skin.blush"], *strength), (spot(x, y, 42, 30),), opacity)
+    blush = Part(
+        "cheek-blush",
+        "cheeks",
+        "skin",
+        glow(p["skin.blush"], *strength),
+        (spot(x, y, 42, 30),),
+        opacity,
+        ("face-skin",),
+    )
     folds = [Part(f"cheek-fold-{side}", "cheeks", "skin", p["skin.line"], (), 0) for side in ("right", "left")]
     return (*both(blush), *folds)
 
