@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from outlines import HERE, codes, read
+from outlines import HERE, codes, outline, read
 
 from facescript.diagnostics.model import Diagnostic
 from facescript.syntax.faults import MOST
@@ -79,3 +79,9 @@ def test_depth_by_indentation_is_bounded() -> None:
 
 def test_what_stands_in_a_spoilt_block_is_still_read() -> None:
     assert codes('scene a!:\n    nod 2 s\n    say "x"\n        on "x": nod!\n') == ["FS105", "FS113", "FS105"]
+
+
+def test_of_two_faults_in_a_line_the_first_is_told_and_the_lines_around_it_are_read() -> None:
+    script, diagnostics = read("scene a:\n    nod\n    repeat 2 times nod)\n    blink\n")
+    assert [item.code for item in diagnostics] == ["FS129"]
+    assert outline(script) == "Scene a\n  Act nod\n  Act blink\n"
