@@ -1,10 +1,9 @@
-"""A script to a score and a performance: the one way through, for the command line, editors and tests alike."""
+"""A script to a score: the one way through, for the command line, editors and tests alike."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.play import Film, Play
@@ -17,9 +16,6 @@ from facescript.syntax.parser import parse
 from facescript.syntax.tree import Script
 from facescript.text import Source
 from facescript.world import World
-
-if TYPE_CHECKING:
-    from facescript.performance.performance import Performance
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,13 +55,6 @@ def compile_source(source: Source, world: World, voice: VoiceBox, settings: Sett
     if not diagnostics.failed:
         compiled.score = score
     return compiled
-
-
-def perform_score(score: Score) -> Performance:
-    """The curves of a score. Imports numpy only here: `check` needs none."""
-    from facescript.motion.perform import perform
-
-    return perform(score)
 
 
 def _with_events(script: Script, events: Source | None, diagnostics: Diagnostics) -> Script:

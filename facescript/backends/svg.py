@@ -92,13 +92,16 @@ def _faces(
     clips = {name for shape in shapes for name in shape.clip}
     for (owner, backdrop), part in groupby(rows, key=lambda row: (row[0], row[1].group == BACKDROP)):
         face = svg("g", class_="backdrop" if backdrop else "figure", data_face=owner, transform=f"scale({QUANTUM})")
-        for (group, carrier), layer in groupby(part, key=lambda row: (row[1].group, row[4])):
-            element = svg("g", class_=group)
-            carry(element, moving.carriers[carrier], clock)
-            for _, shape, outline, opacity, _ in layer:
-                if shape.id in clips or not (opacity.still and opacity.values[0] == "0"):
-                    element.append(_path(shape, outline, opacity, paints, clock))
-            face.append(element)
+        for number, carried in groupby(part, key=lambda row: row[4]):
+            carrier = svg("g")
+            carry(carrier, moving.carriers[number], clock)
+            for group, layer in groupby(carried, key=lambda row: row[1].group):
+                element = svg("g", class_=group)
+                for _, shape, outline, opacity, _ in layer:
+                    if shape.id in clips or not (opacity.still and opacity.values[0] == "0"):
+                        element.append(_path(shape, outline, opacity, paints, clock))
+                carrier.append(element)
+            face.append(carrier)
         yield face
 
 

@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.backends.job import Job
-from facescript.backends.svg_carry import carriers
+from facescript.backends.svg_carry import ANGLE, PLACE, SIZE, Carrier, carriers
 from facescript.backends.svg_ease import Keys
 from facescript.backends.svg_ground import SHADE, Behind
 from facescript.backends.svg_keys import Swing
 from facescript.backends.svg_path import path_text
-from facescript.backends.svg_track import Track
+from facescript.backends.svg_seen import around, inside_clips
+from facescript.backends.svg_track import Carried, Track
 from facescript.performance.channels import CHANNELS
 from facescript.rig.picture import Shape
 
@@ -36,7 +37,7 @@ STEP = 4
 BEFORE = 1e-6
 """Seconds: how shortly before a jump the picture is looked at."""
 
-CHUNK = 512
+CHUNK = 2048
 """Moments drawn at once."""
 
 BEND = {"deg": 0.25, "cm": 0.02, "1": 0.006}
@@ -48,15 +49,15 @@ HEAD_BEND = 0.04
 
 @dataclass(frozen=True, slots=True)
 class Animation:
-    """Outline and opacity of every shape over time, the translation that carries it, and what lies behind all.
+    """Outline and opacity of every shape over time, the transforms that carry it, and what lies behind all.
 
-    Outlines and translations are in QUANTUM pixels; `carried` says which translation is whose.
+    Outlines and translations are in QUANTUM pixels; `carried` says which of the carriers is whose.
     """
 
     outlines: tuple[Track, ...]
     opacities: tuple[Track, ...]
     carried: tuple[int, ...]
-    carriers: tuple[Track, ...]
+    carriers: tuple[tuple[Carried, ...], ...]
     behind: Behind
 
 
@@ -66,16 +67,19 @@ def animation(job: Job, shapes: tuple[Shape, ...]) -> Animation:
     outlines = [Keys() for _ in shapes]
     shades = Swing(np.arange(len(shapes)), len(shapes), 1.0)
     behind = Behind()
+    bounds = {name for shape in shapes for name in shape.clip}
     moments = _moments(job)
-    carried = carriers(job, shapes, columns, moments, QUANTUM)
+    carried, carrying = carriers(job, shapes, columns, moments, QUANTUM)
+    off = [OFF / QUANTUM / carrier.largest() for carrier in carrying]
     for first in range(0, len(moments), CHUNK):
         chunk = moments[first : first + CHUNK]
         drawn = job.stage.frames(chunk)
-        along = carried.at(chunk)
-        for keys, column, carrier in zip(outlines, columns, carried.of, strict=True):
-            rows = drawn.points[:, column] / QUANTUM - along[:, None, carrier]
-            keys.follow(chunk, rows.reshape(len(chunk), -1), OFF / QUANTUM)
-        for time, opacity, ground in zip(chunk.tolist(), drawn.opacity, drawn.grounds, strict=True):
+        shown = drawn.opacity * inside_clips(shapes, columns, drawn.points)
+        for place, (keys, column, number) in enumerate(zip(outlines, columns, carried, strict=True)):
+            rows = carrying[number].undo(chunk, drawn.points[:, column] / QUANTUM).reshape(len(chunk), -1)
+            kept = around((shown[:, place] >= SHADE / 2) | (shapes[place].id in bounds))
+            keys.follow(chunk[kept], rows[kept], off[number])
+        for time, opacity, ground in zip(chunk.tolist(), shown, drawn.grounds, strict=True):
             (shades.push if shades.begun else shades.begin)(time, opacity / SHADE)
             behind.take(time - moments[0], ground)
         job.progress(first + len(chunk), len(moments))
@@ -83,8 +87,8 @@ def animation(job: Job, shapes: tuple[Shape, ...]) -> Animation:
     return Animation(
         tuple(_outline(keys, shape, moments[0]) for keys, shape in zip(outlines, shapes, strict=True)),
         tuple(_shade(keys, moments[0]) for keys in shades.keys),
-        carried.of,
-        tuple(_translation(keys, moments[0]) for keys in carried.keys),
+        carried,
+        tuple(_carried(carrier, moments[0]) for carrier in carrying),
         behind,
     )
 
@@ -100,9 +104,20 @@ def _outline(keys: Keys, shape: Shape, start: float) -> Track:
     return Track(tuple(time - start for time in keys.times), texts, keys.eases)
 
 
-def _translation(keys: Keys, start: float) -> Track:
-    texts = tuple(f"{values[0]} {values[1]}" for values in keys.values)
-    return Track(tuple(time - start for time in keys.times), texts, keys.eases)
+def _carried(carrier: Carrier, start: float) -> tuple[Carried, ...]:
+    """A carrier as SMIL's transforms, outermost first."""
+    places = [f"{x * PLACE:.1f} {y * PLACE:.1f}" for x, y in carrier.places.values]
+    turns, skews = ([f"{values[at] * ANGLE:.3f}" for values in carrier.angles.values] for at in (0, 1))
+    sizes = [f"{x * SIZE:.4f} {y * SIZE:.4f}" for x, y in carrier.sizes.values]
+    kinds = (
+        ("translate", places, carrier.places),
+        ("rotate", turns, carrier.angles),
+        ("skewX", skews, carrier.angles),
+        ("scale", sizes, carrier.sizes),
+    )
+    return tuple(
+        Carried(kind, Track([time - start for time in keys.times], texts, keys.eases)) for kind, texts, keys in kinds
+    )
 
 
 def _shade(keys: list[tuple[float, Ints]], start: float) -> Track:

@@ -1,9 +1,9 @@
-"""Head movement to translations of groups: what is carried along need not be written again in every outline."""
+"""Head movement to transforms of groups: what is carried along need not be written again in every outline."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +23,17 @@ HEAD = [INDEX[f"head.{name}"] for name in ("yaw", "pitch", "roll", "x", "y", "sc
 EVERY = 3
 """Of the moments looked at, how many apart those are that decide the carrying: it need not be exact, only near."""
 
-OFF = 1.0
-"""Quanta a translation may be off; outlines make good what it is."""
+PLACE = 0.2
+"""Quanta: the step of translations."""
+
+ANGLE = 0.01
+"""Degrees: the step of rotations and skews."""
+
+SIZE = 0.0002
+"""The step of scales."""
+
+OFF = 1.5
+"""Steps a transform may be off; outlines must make good what it is, so it is little."""
 
 CHUNK = 256
 
@@ -42,35 +51,72 @@ class HeadOnly:
 
 
 @dataclass(frozen=True, slots=True)
-class Carriers:
-    """The translations: `of` says which one carries a shape; shapes of a group, and those that clip each other, share
-    one."""
+class Carrier:
+    """One transform over time: translation in PLACEs, (rotation, skew) in ANGLEs, (width, height) in SIZEs.
 
-    of: tuple[int, ...]
-    keys: tuple[Keys, ...]
+    As SMIL has it: translate, then rotate, then skewX, then scale.
+    """
 
-    def at(self, times: Floats) -> Floats:
-        """All translations in quanta, array[moment, carrier, xy]."""
-        return np.stack([keys.at(times) for keys in self.keys], axis=1)
+    places: Keys = field(default_factory=Keys)
+    angles: Keys = field(default_factory=Keys)
+    sizes: Keys = field(default_factory=Keys)
+
+    def follow(self, times: Floats, places: Floats, matrices: Floats) -> None:
+        """Go on through more moments: places array[moment, 2] in quanta, matrices array[moment, 2, 2]."""
+        (a, c), (b, d) = matrices.transpose(1, 2, 0)
+        width = np.hypot(a, b)
+        height = (a * d - b * c) / width
+        skew = (a * c + b * d) / width / height
+        angles = np.degrees(np.stack([np.unwrap(np.arctan2(b, a)), np.arctan(skew)], axis=1))
+        self.places.follow(times, places / PLACE, OFF)
+        self.angles.follow(times, angles / ANGLE, OFF)
+        self.sizes.follow(times, np.stack([width, height], axis=1) / SIZE, OFF)
+
+    def undo(self, times: Floats, points: Floats) -> Floats:
+        """Points in quanta, array[moment, point, xy], as they stand inside the group."""
+        turn, skew = np.radians(self.angles.at(times) * ANGLE).T
+        width, height = (self.sizes.at(times) * SIZE).T
+        cos, sin = np.cos(turn)[:, None], np.sin(turn)[:, None]
+        x, y = (points - self.places.at(times)[:, None] * PLACE).transpose(2, 0, 1)
+        x, y = x * cos + y * sin, y * cos - x * sin
+        x = x - y * np.tan(skew)[:, None]
+        return np.stack([x / width[:, None], y / height[:, None]], axis=2)
+
+    def largest(self) -> float:
+        """By how much at most it makes what is off larger."""
+        scales = [float(values.max()) * SIZE for values in self.sizes.values]
+        skews = [abs(float(values[1])) * ANGLE for values in self.angles.values]
+        return max(1.0, max(scales)) * (1 + float(np.tan(np.radians(max(skews)))))
 
 
-def carriers(job: Job, shapes: Sequence[Shape], columns: Sequence[Ints], moments: Floats, quantum: float) -> Carriers:
-    """How the head alone would move each carrier's points, on average, from where they are at the first moment."""
-    of = _shared(shapes, job.stage.owners)
-    parts = [np.concatenate([columns[place] for place, own in enumerate(of) if own == carrier]) for carrier in set(of)]
+def carriers(
+    job: Job, shapes: Sequence[Shape], columns: Sequence[Ints], moments: Floats, quantum: float
+) -> tuple[tuple[int, ...], tuple[Carrier, ...]]:
+    """Which carrier is whose shape's, and the carriers: how the head alone would move their points, as one affine.
+
+    Shapes of a group, and those that clip each other, share a carrier.
+    """
+    of = shared(shapes, job.stage.owners)
+    parts = [np.concatenate([columns[place] for place, own in enumerate(of) if own == number]) for number in set(of)]
     heads = Performance({name: HeadOnly(curves) for name, curves in job.performance.faces.items()}, job.end)
     stage = Stage(job.score, heads, job.pictures)
-    keys = tuple(Keys() for _ in parts)
+    found = tuple(Carrier() for _ in parts)
     some = _some(moments)
-    first: Floats | None = None
+    first = stage.frames(some[:1]).points[0] / quantum
     for begin in range(0, len(some), CHUNK):
         chunk = some[begin : begin + CHUNK]
-        points = stage.frames(chunk).points
-        means = np.stack([points[:, part].mean(axis=1) for part in parts], axis=1) / quantum
-        first = means[0] if first is None else first
-        for carrier, track in enumerate(keys):
-            track.follow(chunk, means[:, carrier] - first[carrier], OFF)
-    return Carriers(of, keys)
+        points = stage.frames(chunk).points / quantum
+        for part, carrier in zip(parts, found, strict=True):
+            carrier.follow(chunk, *_affine(first[part], points[:, part]))
+    return of, found
+
+
+def _affine(rest: Floats, points: Floats) -> tuple[Floats, Floats]:
+    """The middle of points array[moment, point, xy], and the matrices that best make them of the rest's."""
+    middle = points.mean(axis=1)
+    before = rest - rest.mean(axis=0)
+    spread = before.T @ before + np.eye(2) * 1e-6
+    return middle, (points - middle[:, None]).transpose(0, 2, 1) @ before @ np.linalg.inv(spread)
 
 
 def _some(moments: Floats) -> Floats:
@@ -82,7 +128,7 @@ def _some(moments: Floats) -> Floats:
     return moments[chosen]
 
 
-def _shared(shapes: Sequence[Shape], owners: Sequence[str]) -> tuple[int, ...]:
+def shared(shapes: Sequence[Shape], owners: Sequence[str]) -> tuple[int, ...]:
     """The number of each shape's carrier."""
     group = {shape.id: (owner, shape.group) for shape, owner in zip(shapes, owners, strict=True)}
     leader = {name: name for name in group.values()}

@@ -22,10 +22,13 @@ SLOPES = (0.0, 0.3, 0.6, 1.0, 1.5, 2.2, 3.2)
 PULLS = (0.1, 0.22, 0.35, 0.5, 0.65, 0.8, 1.0)
 """How far along the way its handles lie."""
 
-LOOKS = 9
+LOOKS = 12
 """Rows by which an ease is chosen; all rows are held to the tolerance afterwards."""
 
-WIDE = 1.6
+TRIES = 5
+"""The eases that come nearest by those rows and are tried on all."""
+
+WIDE = 2.0
 """Tolerances beyond which no choice of the end can make a way straight enough."""
 
 Spline = tuple[float, float, float, float]
@@ -110,10 +113,13 @@ def _fit(times: Floats, away: Floats, tolerance: float) -> tuple[Spline, Floats]
     eases, curves = _eases()
     along = times / times[-1]
     some = np.unique(np.linspace(0, len(times) - 1, LOOKS).astype(np.intp))
-    best = int(np.abs(_read(curves, along[some]) - shares[some]).max(axis=1).argmin())
-    course = _read(curves[best : best + 1], along)[0]
-    end = np.rint(course @ away / (course @ course))
-    return (eases[best], end) if _apart(away - course[:, None] * end) <= tolerance else None
+    misses = np.abs(_read(curves, along[some]) - shares[some]).max(axis=1)
+    for number in np.argpartition(misses, TRIES)[:TRIES]:
+        course = _read(curves[number : number + 1], along)[0]
+        end = np.rint(course @ away / (course @ course))
+        if _apart(away - course[:, None] * end) <= tolerance:
+            return eases[number], end
+    return None
 
 
 def _apart(away: Floats) -> float:
@@ -132,14 +138,15 @@ def _read(curves: Floats, along: Floats) -> Floats:
 @cache
 def _eases() -> tuple[tuple[Spline, ...], Floats]:
     """The eases tried, straight first, and their courses, array[ease, GRID + 1]."""
-    tried = {STRAIGHT: None}
+    tried: dict[Spline, None] = {STRAIGHT: None}
     for first in SLOPES:
         for last in SLOPES:
             for pull in PULLS:
                 for push in PULLS:
                     handles = (pull, pull * first, 1 - push, 1 - push * last)
                     if all(0 <= value <= 1 for value in handles):
-                        tried[(handles[0], *(round(value, 2) for value in handles[1:]))] = None  # type: ignore[index]
+                        x1, y1, x2, y2 = (round(value, 1) for value in handles)
+                        tried[x1, y1, x2, y2] = None
     return tuple(tried), np.array([_course(ease) for ease in tried])
 
 

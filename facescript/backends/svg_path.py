@@ -18,8 +18,8 @@ def path_text(points: Ints, lengths: tuple[int, ...]) -> str:
     for length in lengths:
         contour = points[first : first + length]
         start = contour[0]
-        parts.append(f"m{_numbers(start[0] - at[0], start[1] - at[1])}c{_curves(contour)}z")
-        at = (int(start[0]), int(start[1]))
+        parts.append(f"m{_numbers(start[0] - at[0], start[1] - at[1])}c{_curves(contour)}")
+        at = (int(contour[-1][0]), int(contour[-1][1]))
         first += length
     return "".join(parts)
 

@@ -9,8 +9,38 @@ from lxml import etree
 
 SVG = "http://www.w3.org/2000/svg"
 
+UNCHANGED = ("0.0 0.0", "0.000", "1.0000 1.0000")
+"""Values of transforms that do nothing."""
+
 STRAIGHT = (0.0, 0.0, 1.0, 1.0)
 """The ease of a straight way."""
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """Key frames of one attribute: times in seconds from the start, the attribute's text at each, and the ease of the
+    way to each from the one before (none: all straight)."""
+
+    times: Sequence[float]
+    values: Sequence[str]
+    eases: Sequence[tuple[float, ...]] = ()
+
+    @property
+    def still(self) -> bool:
+        return len(set(self.values)) == 1
+
+
+@dataclass(frozen=True, slots=True)
+class Carried:
+    """One transform over time: `kind` is SMIL's word for it."""
+
+    kind: str
+    track: Track
+
+    @property
+    def matters(self) -> bool:
+        """Whether it ever changes anything."""
+        return not self.track.still or self.track.values[0] not in UNCHANGED
 
 
 def svg(tag: str, **attributes: str) -> etree._Element:
@@ -40,20 +70,6 @@ class Clock:
         return text.removeprefix("0") or "0"
 
 
-@dataclass(frozen=True, slots=True)
-class Track:
-    """Key frames of one attribute: times in seconds from the start, the attribute's text at each, and the ease of the
-    way to each from the one before (none: all straight)."""
-
-    times: Sequence[float]
-    values: Sequence[str]
-    eases: Sequence[tuple[float, ...]] = ()
-
-    @property
-    def still(self) -> bool:
-        return len(set(self.values)) == 1
-
-
 def animate(element: etree._Element, attribute: str, track: Track, clock: Clock) -> None:
     """Give an element its attribute's first value, and the animation of the rest where there is any."""
     element.set(attribute, track.values[0])
@@ -61,10 +77,17 @@ def animate(element: etree._Element, attribute: str, track: Track, clock: Clock)
         element.append(svg("animate", attributeName=attribute, **_course(track, clock)))
 
 
-def carry(element: etree._Element, track: Track, clock: Clock) -> None:
-    """Translate an element over time."""
-    if not track.still:
-        element.append(svg("animateTransform", attributeName="transform", type="translate", **_course(track, clock)))
+def carry(element: etree._Element, carried: Sequence[Carried], clock: Clock) -> None:
+    """Transform an element over time, the first transform outermost; what never changes is written once."""
+    if all(part.track.still for part in carried):
+        element.set("transform", " ".join(f"{part.kind}({part.track.values[0]})" for part in carried if part.matters))
+        return
+    for number, part in enumerate(part for part in carried if part.matters):
+        added = {"additive": "sum"} if number else {}
+        words = _course(part.track, clock)
+        if part.track.still:
+            words = {"dur": words["dur"], "fill": "freeze", "values": part.track.values[0]}
+        element.append(svg("animateTransform", attributeName="transform", type=part.kind, **added, **words))
 
 
 def _course(track: Track, clock: Clock) -> dict[str, str]:
