@@ -7,7 +7,8 @@ import numpy as np
 from facescript.performance.channels import INDEX, MUSCLES, NAMES, SIDES
 from facescript.performance.performance import Frames
 from facescript.rig.cartoon.eye import EyeState, draw_eye
-from facescript.rig.cartoon.mouth import MouthState, Side, draw_mouth
+from facescript.rig.cartoon.lips import MouthState, Side
+from facescript.rig.cartoon.mouth import draw_mouth
 from facescript.rig.cartoon.pen import Floats, Pen, soft_max
 from facescript.rig.cartoon.style import FaceStyle
 

@@ -15,7 +15,7 @@ from facescript.rig.cartoon.common import (
     ramp,
 )
 from facescript.rig.cartoon.eye import EyeStyle
-from facescript.rig.cartoon.mouth import MouthStyle
+from facescript.rig.cartoon.lips import MouthStyle
 from facescript.rig.cartoon.outline import Part, both, disc, loop, mirror, ribbon, spot
 from facescript.rig.cartoon.palette import Palette, mix
 from facescript.rig.cartoon.style import BrowStyle, FaceStyle
@@ -343,7 +343,7 @@ MAN = FaceStyle(
         line=(0, 1.6, 2.3, 2.5, 1.6),
         wing=(3, 1.0),
     ),
-    brow=BrowStyle(20, 98, BROW),
+    brow=BrowStyle(20, 98),
     mouth=MouthStyle(
         y=114,
         half_width=45,

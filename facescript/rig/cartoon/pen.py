@@ -48,9 +48,11 @@ class Pen:
     depth: dict[str, list[Number]] = field(default_factory=dict)
 
     def loop(self, part: str, points: Sequence[Spot], forward: Sequence[Number] = ()) -> None:
-        """A closed outline; `forward` is how far each point stands out (px) of the part's own depth."""
+        """A closed outline; `forward` is how far each point stands out (px) of the part's own depth, for all of a
+        part's outlines or for none."""
         self.loops.setdefault(part, []).append(list(points))
-        self.depth.setdefault(part, []).extend(forward if forward else [0.0] * len(points))
+        if forward:
+            self.depth.setdefault(part, []).extend(forward)
 
     def ribbon(self, part: str, points: Sequence[Stroke]) -> None:
         """A tapered stroke; an end whose width is a plain number under 0.02 is a point."""
@@ -85,9 +87,8 @@ class Pen:
             for spot in points:
                 x[row], y[row] = spot[0], spot[1]
                 row += 1
-        for row, value in enumerate(self.depth[part]):
-            if value is not None:
-                forward[row] = value
+        for row, value in enumerate(self.depth.get(part, ())):
+            forward[row] = value
 
 
 def _pointed(point: Stroke) -> bool:

@@ -6,18 +6,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from facescript.rig.cartoon.eye import EyeStyle
-from facescript.rig.cartoon.mouth import MouthStyle
+from facescript.rig.cartoon.lips import MouthStyle
 from facescript.rig.cartoon.outline import Part
 from facescript.rig.cartoon.palette import Palette
 
 
 @dataclass(frozen=True, slots=True)
 class BrowStyle:
-    """Where a brow begins and ends (px from the axis), and its outline at rest on the image's right."""
+    """Where a brow begins and ends, px from the axis."""
 
     inner: float
     outer: float
-    body: tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)

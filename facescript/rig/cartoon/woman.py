@@ -15,7 +15,7 @@ from facescript.rig.cartoon.common import (
     ramp,
 )
 from facescript.rig.cartoon.eye import EyeStyle
-from facescript.rig.cartoon.mouth import MouthStyle
+from facescript.rig.cartoon.lips import MouthStyle
 from facescript.rig.cartoon.outline import Part, both, disc, loop, mirror, ribbon, spot
 from facescript.rig.cartoon.palette import Palette, mix
 from facescript.rig.cartoon.style import BrowStyle, FaceStyle
@@ -342,7 +342,7 @@ WOMAN = FaceStyle(
         wing=(9.5, -8),
         lashes=((0.18, 8.5, 72), (0.42, 11, 60), (0.64, 12.5, 48), (0.84, 12.5, 34)),
     ),
-    brow=BrowStyle(24, 94, BROW),
+    brow=BrowStyle(24, 94),
     mouth=MouthStyle(
         y=111,
         half_width=41,
