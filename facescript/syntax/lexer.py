@@ -24,24 +24,7 @@ TAB_WIDTH = 4
 BLANKS = " \t" + "".join(sign for sign, meant in signs.MEANT.items() if meant == " ")
 """What authors indent with."""
 
-HARD = frozenset(
-    (
-        "EXPRESSION",
-        "ACTION",
-        "LET",
-        "FACE",
-        "TARGET",
-        "FILM",
-        "EVENT",
-        "USE",
-        "SCENE",
-        "WHEN",
-        "REPEAT",
-        "ON",
-        "TOGETHER",
-        "CHOOSE",
-    )
-)
+HARD = frozenset("EXPRESSION ACTION LET FACE TARGET FILM EVENT USE SCENE WHEN REPEAT ON TOGETHER CHOOSE".split())
 """Keywords that always begin something new where a line begins with them."""
 
 GOES_ON = frozenset((",", "+", "="))
@@ -144,7 +127,10 @@ class _Lexer:
         if not self.going_on:
             self.lexed.lines.append(line)
         line.tokens += tokens
-        self.going_on = bare[-1] in GOES_ON if line.spoilt else tokens[-1][1] in GOES_ON
+        if line.spoilt:  # an open text takes no further line with it
+            self.going_on = bare[-1] in GOES_ON and bare.count('"') % 2 == 0
+        else:
+            self.going_on = tokens[-1][1] in GOES_ON
 
     def read(self, text: str, begin: int, line: Line, fresh: bool) -> list[Token]:
         """The tokens of a physical line's content; marks `line` where something is wrong with it."""
@@ -197,8 +183,8 @@ class _Lexer:
 
     def _begins_new(self, bare: str) -> bool:
         """Whether a line begins with a word that cannot go on what stands before it."""
-        word = re.match(r"[a-z]*", bare).group()  # type: ignore[union-attr]
-        return self.grammar.keywords.get(word) in HARD and not bare[len(word) :][:1].isalnum()
+        word = re.match(r"[\w.-]*", bare).group()  # type: ignore[union-attr]
+        return self.grammar.keywords.get(word) in HARD
 
     def _stop(self) -> None:
         """End the last line; where it should have gone on, say so."""

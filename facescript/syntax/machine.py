@@ -96,7 +96,7 @@ class Machine:
 
     @property
     def hungry(self) -> bool:
-        """Whether an indented block must come next."""
+        """Whether an indented block must come next: the line before ended in its colon."""
         return self.rows[self.states[-1]].keys() == {"_INDENT"}
 
     def mark(self) -> Mark:

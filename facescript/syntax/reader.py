@@ -66,7 +66,7 @@ class _BlockReader:
             self._close(line.level)
             if line.level > len(self.open):
                 self._open(block[index : index + MOST_MOVED])
-            elif self._hungry():
+            elif self.machine.hungry:
                 self._no_body()
             if self.lost_level is not None and line.level > self.lost_level:
                 self._lose(line)
@@ -74,7 +74,7 @@ class _BlockReader:
                 self.lost_level = None
             self._line(line)
         self._close(0)
-        if self._hungry():
+        if self.machine.hungry:
             self._no_body()
         return self.machine.finish(self.place)
 
@@ -116,7 +116,7 @@ class _BlockReader:
 
     def _close(self, level: int) -> None:
         while len(self.open) > level:
-            if self._hungry():
+            if self.machine.hungry:
                 self._no_body()
             if self.open.pop():
                 self.machine.run([self._mark("_DEDENT")])
@@ -124,7 +124,7 @@ class _BlockReader:
     def _open(self, lines: list[Line]) -> None:
         """Enter the block that the first of some lines begins by its indentation, where there is one."""
         line = lines[0]
-        must = self._hungry()
+        must = self.machine.hungry
         mark = self.machine.mark()
         if self.machine.run([self._mark("_INDENT")]):
             first = "FAULT" if line.spoilt else line.tokens[0][0]
@@ -162,10 +162,6 @@ class _BlockReader:
         if [token[1] for token in tokens[-2:]] == ["in", "turn"]:
             tokens = [*tokens[:-2], ("IN_TURN", "in turn", tokens[-2][2], end)]
         self.machine.run([*self._ended([*tokens, ("COLON", ":", end, end)]), self._mark("_INDENT")])
-
-    def _hungry(self) -> bool:
-        """Whether a block must follow: the line before ended in its colon."""
-        return self.machine.hungry
 
     def _no_body(self) -> None:
         """Report a colon with nothing below it, and have the machine believe that there was a line."""
