@@ -66,7 +66,7 @@ def outputs() -> Iterator[Outputs]:
         batch.discard()
 
 
-def write_whole(target: Path, write: Callable[[Path], None]) -> None:
+def write_whole(target: Path, write: Callable[[Path], object]) -> None:
     """One file written by `write` and put in its place."""
     with outputs() as batch:
         write(batch.place(target))

@@ -16,7 +16,7 @@ from facescript.backends.svg_paint import Paints
 from facescript.backends.svg_sound import sound_address
 from facescript.backends.svg_track import SVG, Clock, Track, animate, carry, svg
 from facescript.rig.picture import Shape
-from facescript.stage.stage import BACKDROP
+from facescript.stage.actor import BACKDROP
 
 XHTML = "http://www.w3.org/1999/xhtml"
 PLAYER = Path(__file__).with_name("svg_player.js")

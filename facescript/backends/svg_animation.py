@@ -144,7 +144,7 @@ def _bent(job: Job, ticks: Ints) -> NDArray[np.bool_]:
     limit = _limits(len(job.performance.faces))
     for first in range(0, len(found), 500):
         rows = ticks[first * STEP : (first + 500) * STEP + 1]
-        values = job.performance.sample(job.start + rows * TICK)
+        values = job.performance.sample(np.asarray(job.start + rows * TICK, dtype=np.float64))
         count = (len(rows) - 1) // STEP
         ends = values[::STEP][: count + 1]
         for part in range(1, STEP):

@@ -116,7 +116,7 @@ def _affine(rest: Floats, points: Floats) -> tuple[Floats, Floats]:
     middle = points.mean(axis=1)
     before = rest - rest.mean(axis=0)
     spread = before.T @ before + np.eye(2) * 1e-6
-    return middle, (points - middle[:, None]).transpose(0, 2, 1) @ before @ np.linalg.inv(spread)
+    return np.asarray(middle), (points - middle[:, None]).transpose(0, 2, 1) @ before @ np.linalg.inv(spread)
 
 
 def _some(moments: Floats) -> Floats:
@@ -125,7 +125,7 @@ def _some(moments: Floats) -> Floats:
     near = np.diff(moments, append=moments[-1] + 1) < 1e-4
     chosen |= near | np.roll(near, 1)
     chosen[[0, -1]] = True
-    return moments[chosen]
+    return np.asarray(moments[chosen])
 
 
 def shared(shapes: Sequence[Shape], owners: Sequence[str]) -> tuple[int, ...]:

@@ -33,12 +33,12 @@ def inside_clips(shapes: Sequence[Shape], columns: Sequence[Ints], points: Float
         if shape.clip:
             clips = [place[name] for name in shape.clip]
             meets = (high[:, [number]] + MARGIN >= low[:, clips]) & (low[:, [number]] - MARGIN <= high[:, clips])
-            inside[:, number] = meets.all(axis=2).any(axis=1)
+            inside[:, number] = np.any(np.all(meets, axis=2), axis=1)
     return inside
 
 
 def around(seen: Bools) -> Bools:
     """The moments to follow a shape at: where it is seen, AROUND moments before and after, and both ends."""
-    near = np.convolve(seen, np.ones(2 * AROUND + 1), "same") > 0
+    near: Bools = np.convolve(seen, np.ones(2 * AROUND + 1), "same") > 0
     near[[0, -1]] = True
-    return np.asarray(near)
+    return near

@@ -40,7 +40,7 @@ def show_json(diagnostics: Iterable[Diagnostic]) -> int:
 
 def refuse(code: str, **values: object) -> int:
     """Print one fault that no place in a script is to blame for; returns the exit code 1."""
-    print(render(diagnose(code, None, **values), colour=_colourful()), file=sys.stderr)
+    print(render(diagnose(code, None, **values), colour=_colourful()), file=sys.stderr)  # type: ignore[arg-type]
     return FAULTS
 
 
