@@ -115,7 +115,7 @@ VALUE = st.sampled_from(
 )
 WORD = st.one_of(NAME, VALUE, st.sampled_from(['"a text"', "smile.left", "crowd.2", "#dfe8f2", 'hello."cup".2.end']))
 SPACE = st.sampled_from([" ", "  ", "   "])
-COMMA = st.sampled_from([", ", " ,", ",", ",\n  ", ",  # why\n"])
+COMMA = st.sampled_from([", ", " , ", " ,", ",\n  ", ",  # why\n"])
 COMMENT = st.sampled_from(["", "", "", " # a note", "  #"])
 BETWEEN = st.sampled_from(["", "", "", "\n", "\n\n\n", "# a remark\n", "      # deep\n"])
 
