@@ -1,0 +1,58 @@
+"""The manual's examples are run, and the page of diagnostics is what the catalogue says."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from runpy import run_path
+
+import pytest
+
+from facescript.compile import compile_source
+from facescript.diagnostics.catalogue import CATALOGUE
+from facescript.diagnostics.model import Diagnostic, Severity
+from facescript.speech.estimate import EstimatedVoice
+from facescript.text import Source
+from facescript.world import World
+
+ROOT = Path(__file__).parents[2]
+DIAGNOSTICS = ROOT / "docs" / "diagnostics.md"
+PAGES = sorted(path for path in (ROOT / "docs").glob("*.md") if path != DIAGNOSTICS) + [ROOT / "README.md"]
+"""The examples of `diagnostics.md` are those of the catalogue, which `test_catalogue.py` runs."""
+
+BLOCK = re.compile(r"^```(face|face-bad)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def blocks(wanted: str) -> Iterator[object]:
+    for page in PAGES:
+        text = page.read_text("utf-8")
+        for found in BLOCK.finditer(text):
+            if found[1] == wanted:
+                yield pytest.param(found[2], id=f"{page.name}:{text.count(chr(10), 0, found.start()) + 2}")
+
+
+def told(script: str) -> list[Diagnostic]:
+    """What `check` says of a script that stands in `examples/`."""
+    world = World(ROOT / "examples")
+    return list(compile_source(Source("block.face", script), world, EstimatedVoice()).diagnostics)
+
+
+@pytest.mark.parametrize("script", blocks("face"))
+def test_example_is_clean(script: str) -> None:
+    assert [(item.code, item.message) for item in told(script) if item.severity is not Severity.HINT] == []
+
+
+@pytest.mark.parametrize("script", blocks("face-bad"))
+def test_bad_example_gives_the_codes_it_names(script: str) -> None:
+    assert [item.code for item in told(script)] == re.findall(r"# (FS\d{3})", script) != []
+
+
+def test_page_of_diagnostics_is_in_step() -> None:
+    made = run_path(str(ROOT / "docs" / "make_diagnostics.py"))["page"]()
+    assert DIAGNOSTICS.read_text("utf-8") == made, "run `python docs/make_diagnostics.py`"
+
+
+def test_codes_in_the_pages_exist() -> None:
+    for page in PAGES:
+        assert set(re.findall(r"\bFS\d{3}\b", page.read_text("utf-8"))) <= set(CATALOGUE), page.name
