@@ -42,9 +42,8 @@ def thesis_size(job: Job) -> int:
             for number, shape in enumerate(shapes):
                 if drawn.opacity[frame, number] > 0:
                     out.write(f'<path class="c{number}" d="{outline(shape, drawn.points[frame])}"/>')
-            total += out.tell() + len(
-                f'<g visibility="hidden"><set attributeName="visibility" to="visible" begin="{begin:.3f}s" dur="0.033s"/></g>'
-            )
+            wrap = '<g visibility="hidden"><set attributeName="visibility" to="visible" '
+            total += out.tell() + len(f'{wrap}begin="{begin:.3f}s" dur="0.033s"/></g>')
     return total
 
 

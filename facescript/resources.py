@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
-from importlib.resources import files
 from pathlib import Path
 
 
 @cache
 def folder(name: str) -> Path:
     """The folder `grammar` or `stdlib`."""
-    package = Path(str(files("facescript")))
+    package = Path(__file__).parent
     installed = package / "_data" / name
     return installed if installed.is_dir() else package.parent / name

@@ -56,9 +56,13 @@ class Diagnostics:
     """A growing list of diagnostics; every pass appends to the one it is given."""
 
     items: list[Diagnostic] = field(default_factory=list)
+    _known: set[tuple[str, Span | None, str]] = field(default_factory=set, repr=False)
 
     def add(self, diagnostic: Diagnostic) -> None:
-        if diagnostic not in self.items:
+        """Append it, unless the same has been said of the same place."""
+        key = (diagnostic.code, diagnostic.span, diagnostic.message)
+        if key not in self._known:
+            self._known.add(key)
             self.items.append(diagnostic)
 
     def __iter__(self) -> Iterator[Diagnostic]:

@@ -1,7 +1,8 @@
 """A line of sight and the head's pose to both eyes in the head, and back: the eyes to where they point in the room.
 
-Angles are in deg: yaw + to the viewer's right, pitch + up, roll + clockwise for the viewer. A pose turns by yaw, then
-pitch, then roll, each about the axes it has by then. The face's left eye is on the viewer's right.
+Angles are in deg: yaw + to the viewer's right, pitch + up, roll + clockwise for the viewer. A head is
+pitched, then turned about the vertical, then tilted in the picture, as it is drawn (`rig/cartoon/turn.py`). The face's
+left eye is on the viewer's right.
 """
 
 from __future__ import annotations
@@ -68,7 +69,7 @@ def _matrices(pose: Floats) -> Floats:
     yaw = np.array([[cy, nil, sy], [nil, one, nil], [-sy, nil, cy]])
     pitch = np.array([[one, nil, nil], [nil, cp, sp], [nil, -sp, cp]])
     roll = np.array([[cr, sr, nil], [-sr, cr, nil], [nil, nil, one]])
-    turned: Floats = np.einsum("ijn,jkn,kln->nil", yaw, pitch, roll)
+    turned: Floats = np.einsum("ijn,jkn,kln->nil", roll, yaw, pitch)
     return turned
 
 

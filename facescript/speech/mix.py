@@ -19,6 +19,9 @@ KNEE = 0.8
 
 FULL = 32767.0
 
+BLOCK = 1 << 20
+"""Samples finished at once, so that nothing as long as the film is held twice in between."""
+
 Samples = NDArray[np.float32]
 
 
@@ -49,9 +52,13 @@ def soundtrack(score: Lines) -> tuple[NDArray[np.int16], int]:
     track = np.zeros(round(score.duration * RATE), dtype=np.float32)
     for line in score.lines:
         _lay(track, line)
-    loud = np.abs(track) > KNEE * FULL
-    track[loud] = _limited(track[loud])
-    return np.rint(track).astype(np.int16), RATE
+    sound = np.zeros(len(track), dtype=np.int16)
+    for first in range(0, len(track), BLOCK):
+        part = track[first : first + BLOCK]
+        loud = np.abs(part) > KNEE * FULL
+        part[loud] = _limited(part[loud])
+        sound[first : first + BLOCK] = np.rint(part)
+    return sound, RATE
 
 
 def _lay(track: Samples, line: Line) -> None:

@@ -124,16 +124,16 @@ def test_signs(kind: str) -> None:
 
 
 @KINDS
-def test_the_head_turns_about_y_then_x_then_z(kind: str) -> None:
-    """A point of the chin's ridge goes where the thesis' formula puts it, about an origin 1.3 d below the eyes."""
+def test_the_head_is_pitched_then_turned_then_tilted(kind: str) -> None:
+    """A point of the chin's ridge goes where yaw and pitch say, as gaze counts on, about an origin 1.3 d below the eyes."""
     rig = RIGS[kind]
     d, pivot = rig.eye_distance, rig.eyes[1] + 1.3 * rig.eye_distance
     x, y = feature(rig, "2.1", REST)[0] - (rig.eyes[0], pivot)
     z = d * (0.2 + 0.84 * (1.30 - 0.2))
     yaw, pitch, roll = 20.0, -15.0, 10.0
     sin, cos = ([f(math.radians(a)) for a in (yaw, pitch, roll)] for f in (math.sin, math.cos))
-    x1, z1 = x * cos[0] + z * sin[0], z * cos[0] - x * sin[0]
-    y1 = y * cos[1] - z1 * sin[1]
+    y1, z1 = y * cos[1] - z * sin[1], z * cos[1] + y * sin[1]
+    x1 = x * cos[0] + z1 * sin[0]
     turned = feature(rig, "2.1", pose(head_yaw=yaw, head_pitch=pitch, head_roll=roll))[0] - (rig.eyes[0], pivot)
     assert turned == pytest.approx([x1 * cos[2] - y1 * sin[2], x1 * sin[2] + y1 * cos[2]], abs=0.02 * d)
 

@@ -1,4 +1,9 @@
-"""Anchors of the face at rest, deformed, and head poses -> anchors in the picture: rotation about Y, X, Z."""
+"""Anchors of the face at rest, deformed, and head poses -> anchors in the picture.
+
+The head is pitched, then turned about the vertical, then tilted in the picture: the nose points where yaw and pitch
+say, so that what the eyes are turned by in the head adds up to where they look. (The thesis turns about Y, X, Z; for
+one angle at a time it is the same.)
+"""
 
 from __future__ import annotations
 
@@ -80,10 +85,10 @@ class Turn:
         pivot = ORIGIN * self.d
         (sin_yaw, cos_yaw), (sin_pitch, cos_pitch), (sin_roll, cos_roll) = pose.yaw, pose.pitch, pose.roll
         up = y - pivot
-        x1 = x * cos_yaw + z * sin_yaw + self.round_x * (1 - cos_yaw)
-        z1 = z * cos_yaw - x * sin_yaw
-        y1 = up * cos_pitch - z1 * sin_pitch
-        y1 += self.round_y * (1 - cos_pitch) - self.round_x * (sin_yaw * sin_pitch)
+        y1 = up * cos_pitch - z * sin_pitch + self.round_y * (1 - cos_pitch)
+        z1 = z * cos_pitch + up * sin_pitch
+        x1 = x * cos_yaw + z1 * sin_yaw + self.round_x * (1 - cos_yaw)
+        x1 -= self.round_y * (sin_yaw * sin_pitch)
         x2 = x1 * cos_roll - y1 * sin_roll + pose.shift[0]
         y2 = x1 * sin_roll + y1 * cos_roll + (pivot + pose.shift[1])
         return x2, y2
