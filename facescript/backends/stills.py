@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+import imageio.v3 as iio
 import numpy as np
-from PIL import Image
 
 from facescript.backends.frames import drawing_faults, pictures
 from facescript.backends.job import Job
@@ -22,5 +22,5 @@ def write_pngs(job: Job, paths: Sequence[Path]) -> None:
     times = job.times()[: len(paths)]
     with drawing_faults():
         for number, (frame, path) in enumerate(zip(pictures(job.stage, times), paths, strict=True), start=1):
-            Image.fromarray(np.ascontiguousarray(frame[..., 2::-1])).save(path, "PNG")
+            iio.imwrite(path, np.ascontiguousarray(frame[..., 2::-1]), extension=".png")
             job.progress(number, len(paths))
