@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import statistics
 import time
 
 from _measure import job_of, row
@@ -27,8 +28,8 @@ def main() -> None:
         for _ in drawn(stage, painter, cloth, times):
             pass
         figures.append((time.process_time() - start) / COUNT * 1000)
-    best = min(figures)
-    row("a 1080p frame, sampled and drawn, 300 in a row", f"{best:.1f} ms", f"{BAR:g} ms", best <= BAR)
+    mean = statistics.median(figures)
+    row("a 1080p frame, sampled and drawn, 300 in a row", f"{mean:.1f} ms", f"{BAR:g} ms", mean <= BAR)
 
 
 if __name__ == "__main__":
