@@ -125,7 +125,7 @@ def test_signs(kind: str) -> None:
 
 @KINDS
 def test_the_head_is_pitched_then_turned_then_tilted(kind: str) -> None:
-    """A point of the chin's ridge goes where yaw and pitch say, as gaze counts on, about an origin 1.3 d below the eyes."""
+    """A point of the chin's ridge goes where yaw and pitch say, as gaze counts on, 1.3 d below the eyes."""
     rig = RIGS[kind]
     d, pivot = rig.eye_distance, rig.eyes[1] + 1.3 * rig.eye_distance
     x, y = feature(rig, "2.1", REST)[0] - (rig.eyes[0], pivot)
