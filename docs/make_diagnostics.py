@@ -44,11 +44,12 @@ FAMILIES = {
 HEAD = """\
 # Diagnostics
 
-What `facescript` tells an author: a code, a sentence, the exact place, and a fix where one is known. An **error** stands
-in the way of a build. A **warning** does not: something comes out, and perhaps not what was meant. A **hint** is shown by
-`check` alone. Each code stands here with its sentence for one bad example, and with a script that does it well.
+What `facescript` tells an author: a code, a sentence, the exact place, and a fix where one is known. An **error**
+stands in the way of a build. A **warning** does not: something comes out, and perhaps not what was meant. A **hint**
+is shown by `check` alone. Each code stands here with its sentence for one bad example, and with a script that does it
+well.
 
-This page is made by `docs/make_diagnostics.py` from the catalogue in `facescript/diagnostics/catalogue/`; change it there.
+This page is made by `docs/make_diagnostics.py` from the catalogue in `facescript/diagnostics/catalogue/`.
 """
 
 

@@ -9,6 +9,8 @@ from runpy import run_path
 
 import pytest
 
+from facescript.cli.list import LISTS
+from facescript.cli.report import in_order
 from facescript.compile import compile_source
 from facescript.diagnostics.catalogue import CATALOGUE
 from facescript.diagnostics.model import Diagnostic, Severity
@@ -18,7 +20,7 @@ from facescript.world import World
 
 ROOT = Path(__file__).parents[2]
 DIAGNOSTICS = ROOT / "docs" / "diagnostics.md"
-PAGES = sorted(path for path in (ROOT / "docs").glob("*.md") if path != DIAGNOSTICS) + [ROOT / "README.md"]
+PAGES = [*sorted(path for path in (ROOT / "docs").glob("*.md") if path != DIAGNOSTICS), ROOT / "README.md"]
 """The examples of `diagnostics.md` are those of the catalogue, which `test_catalogue.py` runs."""
 
 BLOCK = re.compile(r"^```(face|face-bad)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -35,17 +37,23 @@ def blocks(wanted: str) -> Iterator[object]:
 def told(script: str) -> list[Diagnostic]:
     """What `check` says of a script that stands in `examples/`."""
     world = World(ROOT / "examples")
-    return list(compile_source(Source("block.face", script), world, EstimatedVoice()).diagnostics)
+    return in_order(compile_source(Source("block.face", script), world, EstimatedVoice()).diagnostics)
 
 
-@pytest.mark.parametrize("script", blocks("face"))
+@pytest.mark.parametrize("script", list(blocks("face")))
 def test_example_is_clean(script: str) -> None:
     assert [(item.code, item.message) for item in told(script) if item.severity is not Severity.HINT] == []
 
 
-@pytest.mark.parametrize("script", blocks("face-bad"))
+@pytest.mark.parametrize("script", list(blocks("face-bad")))
 def test_bad_example_gives_the_codes_it_names(script: str) -> None:
     assert [item.code for item in told(script)] == re.findall(r"# (FS\d{3})", script) != []
+
+
+@pytest.mark.parametrize("what", ["expressions", "lives", "muscles", "faces", "backends"])
+def test_manual_names_all_there_is(what: str) -> None:
+    manual = (ROOT / "docs" / "language.md").read_text("utf-8")
+    assert [name for name, _ in LISTS[what]() if f"`{name}`" not in manual] == []
 
 
 def test_page_of_diagnostics_is_in_step() -> None:
