@@ -1,4 +1,4 @@
-"""The resolved play and its solved times to `.json`, by the schema that `ir.json_form` gives."""
+"""The resolved play, its schema and its solved times to `.json`."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import json
 from pathlib import Path
 
 from facescript.backends.job import Job
-from facescript.ir.json_form import dump
+from facescript.ir.json_form import dump, schema
 from facescript.schedule.explain import as_objects, explain
 
 
 def write_json(job: Job, path: Path) -> None:
-    """An object of `play` (the schema's form) and `times` (what `explain --json` prints)."""
-    whole = {"play": json.loads(dump(job.play)), "times": as_objects(explain(job.score))}
+    """An object of `schema` (the JSON schema of `play`), `play`, and `times` (what `explain --json` prints)."""
+    whole = {"schema": schema(), "play": json.loads(dump(job.play)), "times": as_objects(explain(job.score))}
     path.write_text(json.dumps(whole, ensure_ascii=False, indent=1) + "\n", "utf-8", newline="\n")

@@ -8,6 +8,7 @@ import json
 import wave
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -79,3 +80,13 @@ def test_numbered_pictures(tmp_path: Path) -> None:
     words = ["-o", str(tmp_path / "p-%03d.png"), "--fps", "5", "--size", "160x160", "--to", "1s"]
     assert main(["build", "degrees.face", *words]) == 0
     assert sorted(path.name for path in tmp_path.iterdir()) == [f"p-{number:03d}.png" for number in range(1, 6)]
+
+
+def test_json_fits_its_schema(tmp_path: Path) -> None:
+    assert main(["build", "kiosk.face", "-o", str(tmp_path / "out.json")]) == 0
+    whole = json.loads((tmp_path / "out.json").read_text("utf-8"))
+    jsonschema.validate(whole["play"], whole["schema"])
+    assert {row["face"] for row in whole["times"]} >= {"mia"}
+    whole["play"]["film"]["width"] = "wide"
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(whole["play"], whole["schema"])

@@ -1,0 +1,60 @@
+"""A build that is interrupted, or whose disk is full: what stood there stands, and nothing half-written lies beside it."""
+
+from __future__ import annotations
+
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+COMMAND = [sys.executable, "-m", "facescript.cli.main", "build", "script.face", "--quiet"]
+SCRIPT = 'film 640x360\nface ada = woman\nscene a:\n    show smile\n    say "Good evening, everyone."\n    nod\n'
+OLD = b"as it was"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "script.face").write_text(SCRIPT)
+    return tmp_path
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("kind", ["mp4", "svg"])
+@pytest.mark.parametrize("delay", [0.45, 0.7, 1.0])
+def test_interrupted(folder: Path, kind: str, delay: float, number: int) -> None:
+    target = folder / f"film.{kind}"
+    target.write_bytes(OLD)
+    process = subprocess.Popen([*COMMAND, "-o", target.name], cwd=folder, stderr=subprocess.PIPE, text=True)
+    time.sleep(delay)
+    process.send_signal(number)
+    _, said = process.communicate(timeout=60)
+    assert "Traceback" not in said
+    assert process.returncode in (0, 130)
+    assert (target.read_bytes() == OLD) == (process.returncode == 130)
+    assert sorted(os.listdir(folder)) == sorted([target.name, "script.face"])
+
+
+@pytest.mark.parametrize("kind", ["mp4", "webm", "gif", "svg", "csv", "jsonl", "wav", "png"])
+def test_full_disk(folder: Path, kind: str) -> None:
+    """The disk is full after four KiB, by the system's limit of a file's size."""
+    target = folder / f"film.{kind}"
+    target.write_bytes(OLD)
+    done = subprocess.run(
+        [*COMMAND, "-o", target.name],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)),
+    )
+    assert done.returncode == 1, done.stderr
+    assert "Traceback" not in done.stderr
+    assert "FS90" in done.stderr
+    assert target.read_bytes() == OLD
+    assert sorted(os.listdir(folder)) == sorted([target.name, "script.face"])
