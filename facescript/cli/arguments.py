@@ -64,7 +64,7 @@ def _fmt(parser: argparse.ArgumentParser) -> None:
 
 
 def _list(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("what", choices=LISTS, help="what to list")
+    parser.add_argument("what", choices=LISTS, metavar="WHAT", help=f"one of {', '.join(LISTS)}")
 
 
 def _new(parser: argparse.ArgumentParser) -> None:

@@ -46,6 +46,8 @@ def _backend(target: str, kind: str | None) -> Backend:
     suffix = f".{(kind or '').lstrip('.')}" if target == STANDARD else Path(target).suffix.lower()
     known = backends()
     names = ", ".join(known)
+    if suffix == ".":
+        names = ", ".join(f"`-o - --as {name[1:]}`" for name in known)
     if suffix in LATER:
         raise OptionFault("FS910", suffix=suffix, known=names)
     if suffix not in known:

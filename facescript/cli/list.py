@@ -19,6 +19,23 @@ Row = tuple[str, str]
 
 FACES = {"woman": "a cartoon woman", "man": "a cartoon man", "unseen": "nobody to see: a voice alone"}
 
+MUSCLES_DO = {
+    "brow.inner": "raises the brow's inner end",
+    "brow.outer": "raises the brow's outer end",
+    "forehead": "raises the whole brow and creases the forehead",
+    "brow.lower": "lowers the brow and draws it together",
+    "cheek.upper": "raises the cheek",
+    "cheek.lower": "draws the lip's corner up and out",
+    "nose.upper": "wrinkles the nose",
+    "lip.upper": "raises the upper lip",
+    "lip.corner": "draws the lip's corner down",
+    "lip.lower": "draws the lower lip down",
+    "lip.stretch": "draws the lip's corner straight out",
+    "lip.press": "presses the lips together",
+    "lip.pucker": "pushes the lips forward and draws them together",
+    "chin": "pushes the chin's boss up",
+}
+
 
 def run(options: argparse.Namespace) -> int:
     """Two columns on standard output, in the order of the thing listed."""
@@ -62,7 +79,7 @@ def _faces() -> Iterable[Row]:
 
 def _muscles() -> Iterable[Row]:
     for muscle in MUSCLES:
-        yield muscle, f"{muscle}.left, {muscle}.right"
+        yield muscle, f"{MUSCLES_DO[muscle]}; `{muscle}.left` and `{muscle}.right` are its sides"
 
 
 def _channels() -> Iterable[Row]:

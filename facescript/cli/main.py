@@ -21,6 +21,9 @@ def main(arguments: list[str] | None = None) -> int:
     words = sys.argv[1:] if arguments is None else arguments
     if words and words[0] in LATER:
         return _later(words[0])
+    if not words:
+        parser(__version__).print_help(sys.stderr)
+        return 2
     options = parser(__version__).parse_args(words)
     signal.signal(signal.SIGTERM, _terminated)
     try:
