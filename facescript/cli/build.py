@@ -47,7 +47,7 @@ def _backend(target: str, kind: str | None) -> Backend:
     known = backends()
     names = ", ".join(known)
     if suffix == ".":
-        names = ", ".join(f"`-o - --as {name[1:]}`" for name in known)
+        names = ", ".join(f"`--as {name[1:]}`" for name in known)
     if suffix in LATER:
         raise OptionFault("FS910", suffix=suffix, known=names)
     if suffix not in known:

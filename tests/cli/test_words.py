@@ -38,7 +38,7 @@ def test_standard_output_asks_for_its_kind(tmp_path: Path, monkeypatch: pytest.M
     monkeypatch.chdir(tmp_path)
     Path("a.face").write_text("nod\n", "utf-8")
     assert main(["build", "a.face", "-o", "-"]) == 2
-    assert "`-o - --as csv`" in capsys.readouterr().err
+    assert "`--as csv`" in capsys.readouterr().err
 
 
 def test_starter_is_clean_and_in_the_layout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Captured) -> None:
