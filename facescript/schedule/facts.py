@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import islice
+from itertools import accumulate, islice
 from typing import Literal
 
 from facescript.schedule.steps import Key
@@ -41,17 +41,17 @@ class Holds:
     def __init__(self, holds: tuple[Hold, ...] = ()) -> None:
         self.all = holds
         self._rows: dict[str, list[Hold]] = {}
-        self._longest = max((hold.end + hold.gap - hold.start for hold in holds), default=0.0)
         for hold in holds:
             self._rows.setdefault(hold.face, []).append(hold)
+        self._ends = {face: list(accumulate((hold.end for hold in row), max)) for face, row in self._rows.items()}
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Holds) and self.all == other.all
 
     def after(self, face: str, time: float, rank: int) -> Iterator[Hold]:
-        """The holds of a face that are not over before a time, by reactions of a higher rank."""
+        """The holds of a face from the first that is not over at a time, by reactions of a higher rank."""
         row = self._rows.get(face, [])
-        first = bisect_left(row, time - self._longest, key=lambda hold: hold.start)
+        first = bisect_right(self._ends.get(face, []), time)
         return (hold for hold in islice(row, first, None) if hold.rank > rank)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from facescript.diagnostics.model import Diagnostics
+from facescript.ir.acts import Sequence
 from facescript.ir.play import Face, Play
 from facescript.schedule.conflicts import left_out, lines_together, nothing_dropped, shows_together
 from facescript.schedule.deeds import Deed
@@ -14,7 +15,7 @@ from facescript.schedule.drops import take_off
 from facescript.schedule.events import Events
 from facescript.schedule.facts import Facts
 from facescript.schedule.faults import Faults
-from facescript.schedule.labels import Labels
+from facescript.schedule.labels import Labels, nodes
 from facescript.schedule.lengths import Lengths
 from facescript.schedule.looks import Gaze, landings, scene_at
 from facescript.schedule.presence import Presence
@@ -31,11 +32,15 @@ from facescript.speech.model import VoiceBox
 MOST = 20_000
 """Statements that a script may come to as it is played: an hour and a half with four a second."""
 
-WORK = 300_000
-"""What all rounds together may cost, in statements solved; scripts come to rest after two to five rounds."""
+WORK, EACH = 60_000, 30
+"""What all rounds together may cost, in statements solved (some ten microseconds): so much, and more for each
+statement that a play has. Scripts come to rest after two to five rounds."""
 
-LOOK, REACTION = 8, 10
+LOOK, REACTION = 4, 5
 """What the plan of a look and the start of a reaction cost, in statements."""
+
+RESTLESS = 12
+"""After so many rounds without rest it is the script that has none; after fewer it is too long."""
 
 
 def schedule(play: Play, voice: VoiceBox, diagnostics: Diagnostics) -> Score | None:
@@ -82,9 +87,10 @@ class _Scheduler:
 
     def _rounds(self) -> Round | None:
         """Solve until nothing new is learned; None where an error stands in the way."""
-        facts, work = Facts(), 0
-        while work < WORK:
-            solved = self._round(facts)
+        facts, work, rounds = Facts(), 0, 0
+        solved, most = None, WORK + EACH * sum(1 for block in self._blocks() for _ in nodes(block))
+        while work < most:
+            solved, rounds = self._round(facts), rounds + 1
             work += MOST - solved.maker.left + REACTION * len(solved.reactions) + 1
             if self.faults.failed or self.voices.failures:
                 return None
@@ -95,8 +101,20 @@ class _Scheduler:
             if learned == facts:
                 return solved
             facts = learned
-        self.faults.add("FS419", self.play.scenes[0].span)
+        self._too_much(solved, rounds)
         return None
+
+    def _blocks(self) -> list[Sequence]:
+        return [*(scene.body for scene in self.play.scenes), *(reaction.body for reaction in self.play.reactions)]
+
+    def _too_much(self, solved: Round | None, rounds: int) -> None:
+        """Tell why the rounds were ended: times that find no rest, or too many of them."""
+        first = self.play.scenes[0].span
+        if solved is None or rounds >= RESTLESS:
+            self.faults.add("FS419", first)
+            return
+        counts = {"statements": len(solved.done), "looks": len(self.plans), "reactions": len(solved.reactions)}
+        self.faults.add("FS422", first, **counts)
 
     def _round(self, facts: Facts) -> Round:
         self.faults = Faults()

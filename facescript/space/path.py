@@ -7,37 +7,51 @@ from collections.abc import Sequence
 
 from facescript.ir.values import Point
 
+Piece = tuple[float, float, float, float]
+"""One coordinate between two keys: its value and its slope (times the span) at the first, then at the second."""
 
-def place_at(times: Sequence[float], places: Sequence[Point], time: float) -> Point:
-    """The place at `time`: each coordinate a monotone cubic through its keys (Fritsch and Butland's slopes).
+
+class Path:
+    """The place at a time: each coordinate a monotone cubic through its keys (Fritsch and Butland's slopes).
 
     It never overshoots a key, and its speed is continuous, zero at the first and the last key.
     """
-    if time <= times[0] or len(times) == 1:
-        return places[0]
-    if time >= times[-1]:
-        return places[-1]
-    index = bisect_right(times, time) - 1
-    x, y, z = (
-        _cubic(times, [getattr(place, axis) for place in places[max(0, index - 1) : index + 3]], index, time)
-        for axis in "xyz"
-    )
-    return Point(x, y, z)
+
+    def __init__(self, times: Sequence[float], places: Sequence[Point]) -> None:
+        self.times, self.places = times, places
+        self._spans: dict[int, tuple[Piece, ...]] = {}
+
+    def at(self, time: float) -> Point:
+        times = self.times
+        if time <= times[0] or len(times) == 1:
+            return self.places[0]
+        if time >= times[-1]:
+            return self.places[-1]
+        index = bisect_right(times, time) - 1
+        u = (time - times[index]) / (times[index + 1] - times[index])
+        x, y, z = (_cubic(piece, u) for piece in self._span(index))
+        return Point(x, y, z)
+
+    def _span(self, index: int) -> tuple[Piece, ...]:
+        """The pieces of x, y and z from the key `index` to the next; worked out once."""
+        known = self._spans.get(index)
+        if known is None:
+            known = self._spans[index] = tuple(self._piece(axis, index) for axis in "xyz")
+        return known
+
+    def _piece(self, axis: str, index: int) -> Piece:
+        first = max(0, index - 1)
+        near = [getattr(place, axis) for place in self.places[first : index + 3]]
+        here, span = index - first, self.times[index + 1] - self.times[index]
+        start, end = (_slope(self.times, near, first, here + side) * span for side in (0, 1))
+        return near[here], start, near[here + 1], end
 
 
-def _cubic(times: Sequence[float], near: Sequence[float], index: int, time: float) -> float:
-    """The Hermite cubic of the span `index`; `near` are the keys from one before the span to one after it."""
-    first = max(0, index - 1)
-    here = index - first
-    span = times[index + 1] - times[index]
-    u = (time - times[index]) / span
-    slopes = [_slope(times, near, first, here + side) * span for side in (0, 1)]
-    low, high = near[here], near[here + 1]
+def _cubic(piece: Piece, u: float) -> float:
+    """The Hermite cubic of a piece at the part `u` of its span."""
+    low, start, high, end = piece
     return (
-        low * (1 + 2 * u) * (1 - u) ** 2
-        + slopes[0] * u * (1 - u) ** 2
-        + high * u * u * (3 - 2 * u)
-        + slopes[1] * u * u * (u - 1)
+        low * (1 + 2 * u) * (1 - u) ** 2 + start * u * (1 - u) ** 2 + high * u * u * (3 - 2 * u) + end * u * u * (u - 1)
     )
 
 

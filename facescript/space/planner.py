@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import inf
@@ -107,9 +108,10 @@ class _Scene:
     def __init__(self, room: Room, face: Face, start: float) -> None:
         self.room, self.face, self.start = room, face, start
         self.shifter = Shifter(room, face, start)
-        self.active: dict[Key, GazeRequest] = {}
+        self.eyes: dict[Key, GazeRequest] = {}
+        self.head: dict[Key, GazeRequest] = {}
         self.aims: dict[Key, Aim] = {}
-        self.watched: _Watched | None = None
+        self.watched: dict[str, _Watched] = {}
         self.plans: dict[Key, list[GazePlan]] = {}
 
     def plan(self, requests: Sequence[GazeRequest]) -> dict[Key, tuple[GazePlan, ...]]:
@@ -120,7 +122,8 @@ class _Scene:
                 self._let_go(time, request)
             else:
                 self._begin(time, request)
-        self._judge(inf)
+        self._judge("eyes", inf)
+        self._judge("head", inf)
         return {key: tuple(plans) for key, plans in self.plans.items()}
 
     def _begin(self, time: float, request: GazeRequest) -> None:
@@ -132,37 +135,38 @@ class _Scene:
         self.aims[request.key] = aim
         self._take(request)
         wish = Wish(aim, request.manner.parts, request.manner, request.over, request.glance, request.released)
-        eyes = request.manner.parts != "head only"
-        if eyes:
-            self._judge(clock)
+        part = "head" if request.manner.parts == "head only" else "eyes"
+        for taken in (part,) if request.manner.parts == "eyes only" else (part, "head"):
+            self._judge(taken, clock)
         self.plans[request.key] = [self.shifter.plan(clock, wish)]
-        now = _Watched(request.key, aim, clock, self.shifter.shortfall(wish))
-        if eyes:
-            self.watched = now
-        else:
-            self._note(now, request.released - self.start)
+        self.watched[part] = _Watched(request.key, aim, clock, self.shifter.shortfall(wish))
 
-    def _judge(self, until: float) -> None:
-        """The shift that has the eyes loses them."""
-        if self.watched:
-            self._note(self.watched, until)
-        self.watched = None
+    def _judge(self, part: str, until: float) -> None:
+        """The shift that has the eyes (or has the head and nothing else) loses them."""
+        shift = self.watched.pop(part, None)
+        if shift is not None:
+            self._note(shift, until)
 
     def _note(self, shift: _Watched, until: float) -> None:
         """Note how far a shift that lasts until then stays short of its target, at worst."""
         moving = self.room.moving(shift.aim)
         keys = moving.times if moving else ()
-        times = [shift.start, *(key for key in keys if shift.start < key < until)]
+        times = [shift.start, *keys[bisect_right(keys, shift.start) : bisect_left(keys, until)]]
         if moving and until < keys[-1]:
             times.append(until)
         plan = self.plans[shift.key][0]
-        self.plans[shift.key][0] = replace(plan, unreachable=max(shift.short(time) for time in times))
+        short = max(shift.short(time) for time in times)
+        if short > 0.0:
+            self.plans[shift.key][0] = replace(plan, unreachable=short)
 
     def _let_go(self, time: float, request: GazeRequest) -> None:
         before = self._owners()
         if before.eyes is request:
-            self._judge(time - self.start)
-        self.active.pop(request.key, None)
+            self._judge("eyes", time - self.start)
+        if before.head is request:
+            self._judge("head", time - self.start)
+        self.eyes.pop(request.key, None)
+        self.head.pop(request.key, None)
         after = self._owners()
         for wish in self._back(request, before, after):
             self.plans[request.key].append(self.shifter.plan(time - self.start, wish))
@@ -185,18 +189,18 @@ class _Scene:
         return Wish(self.aims[owner.key], parts, back, None, owner.glance)
 
     def _owners(self) -> _Owners:
-        latest = list(reversed(self.active.values()))
-        eyes = next((request for request in latest if request.manner.parts != "head only"), None)
-        return _Owners(eyes, next((request for request in latest if request.manner.parts != "eyes only"), None))
+        return _Owners(
+            next(reversed(self.eyes.values()), None),
+            next(reversed(self.head.values()), None),
+        )
 
     def _take(self, request: GazeRequest) -> None:
         """The request has its parts from now on; what it covers for good will never come back."""
-        if request.released == inf:
-            both = request.manner.parts not in ("eyes only", "head only")
-            covered = [r.key for r in self.active.values() if both or r.manner.parts == request.manner.parts]
-            for key in covered:
-                del self.active[key]
-        self.active[request.key] = request
+        for part, owners in (("head only", self.eyes), ("eyes only", self.head)):
+            if request.manner.parts != part:
+                if request.released == inf:
+                    owners.clear()
+                owners[request.key] = request
 
 
 COMFORT = (28.0, 14.0, 20.0)

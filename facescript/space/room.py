@@ -19,7 +19,7 @@ from facescript.ir.values import (
     Towards,
 )
 from facescript.space.layout import EYES, MOUTH, lay_out
-from facescript.space.path import place_at
+from facescript.space.path import Path
 
 CAMERA_CM = 60.0
 """How far straight ahead the camera is, cm."""
@@ -54,6 +54,10 @@ class Room:
         self.film = film
         self.layout = lay_out(film, faces)
         self.targets: Mapping[str, Target] = {target.name: target for target in targets}
+        self._eyes: dict[str, tuple[float, float]] = {}
+        self._still: dict[tuple[str, Aim], Sight] = {}
+        self._paths: dict[str, Path] = {}
+        self._crowds: dict[str, tuple[Aim, ...]] = {}
 
     def bind(
         self,
@@ -85,9 +89,11 @@ class Room:
         target = self.targets.get(crowd)
         if not isinstance(target, Crowd):
             return None
-        numbered = enumerate(target.members, 1)
-        members = (self._member(m) if isinstance(m, str) else AtTarget(crowd, n) for n, m in numbered)
-        return tuple(member for member in members if member)
+        if crowd not in self._crowds:
+            numbered = enumerate(target.members, 1)
+            members = (self._member(m) if isinstance(m, str) else AtTarget(crowd, n) for n, m in numbered)
+            self._crowds[crowd] = tuple(member for member in members if member)
+        return self._crowds[crowd]
 
     def _member(self, name: str) -> Aim | None:
         if name in self.targets:
@@ -115,7 +121,7 @@ class Room:
             return Point(eyes[0] + x * AHEAD_CM, eyes[1] + y * AHEAD_CM, z * AHEAD_CM)
         place = self._place(aim)
         if isinstance(place, MovingTarget):
-            return place_at(place.times, place.places, time)
+            return self._path(place).at(time)
         if isinstance(place, PicturePlace):
             return Point(*self.layout.place(place), PICTURE_CM)
         if place is None:
@@ -124,14 +130,34 @@ class Room:
 
     def sight(self, face: str, aim: Aim, time: float) -> Sight:
         """The line of sight with which a face looks at a definite aim, the flat screen allowed for."""
+        target = self.moving(aim)
+        if target is not None:
+            return self._seen(face, self._path(target).at(time), in_picture=False)
+        known = self._still.get((face, aim))
+        if known is None:
+            known = self._still[face, aim] = self._sight(face, aim, time)
+        return known
+
+    def _sight(self, face: str, aim: Aim, time: float) -> Sight:
         if isinstance(aim, Towards):
             return Sight(_number(aim.yaw), _number(aim.pitch), AHEAD_CM)
-        point = self.point(face, aim, time)
-        eyes = self.layout.part(face, EYES)
+        return self._seen(face, self.point(face, aim, time), self._in_picture(aim))
+
+    def _seen(self, face: str, point: Point, in_picture: bool) -> Sight:
+        """The line of sight to a point in the room, or to one in the picture."""
+        eyes = self._eyes.get(face)
+        if eyes is None:
+            eyes = self._eyes[face] = self.layout.part(face, EYES)
         x, y, z = point.x - eyes[0], point.y - eyes[1], point.z
         yaw, pitch = angles(x, y, z)
-        scale = 1.0 if self._in_picture(aim) else screen_fraction(self.film.screen, z)
+        scale = 1.0 if in_picture else screen_fraction(self.film.screen, z)
         return Sight(yaw * scale, pitch * scale, max(NEAREST_CM, hypot(x, y, z)))
+
+    def _path(self, target: MovingTarget) -> Path:
+        known = self._paths.get(target.name)
+        if known is None:
+            known = self._paths[target.name] = Path(target.times, target.places)
+        return known
 
     def _in_picture(self, aim: Aim) -> bool:
         return isinstance(aim, AtFace) or isinstance(self._place(aim), PicturePlace)

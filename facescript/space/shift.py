@@ -31,8 +31,11 @@ TURNING = 1.0
 SEEN = 0.5
 """A gaze short of its target by less than this is not seen to be, deg."""
 
-WAIT_STEP = 0.004
-"""Steps in which the moment is sought when the waiting eyes have the target, s."""
+WAIT_STEP, WAIT_STEPS = 0.004, 500
+"""Steps in which the moment is sought when the waiting eyes have the target, s; longer where they would be more."""
+
+MOST_LAID = 32
+"""As many movements may lie over each other; older ones of a part are taken to be done."""
 
 
 def number(amount: float | Draw) -> float:
@@ -66,7 +69,8 @@ class Past:
     def at(self, time: float) -> Direction:
         """Where the part is at `time`."""
         first = len(self.moves) - 1
-        while first > 0 and time < self.moves[first].done:
+        last = max(0, first - MOST_LAID)
+        while first > last and time < self.moves[first].done:
             first -= 1
         yaw, pitch = self.moves[first].goal(time)
         for move in self.moves[first + 1 :]:
@@ -101,28 +105,29 @@ class Shifter:
 
     def __init__(self, room: Room, face: Face, start: float) -> None:
         self.room, self.face, self.start = room, face, start
+        self._directions: dict[Aim, Callable[[float], Direction]] = {}
         rest = self._direction(AtCamera())
+        ahead = head_goal(rest(0.0), self._usual(rest(0.0)))
         self.eyes = Past(Move(-inf, -inf, rest), saccade_part)
-        self.head = Past(
-            Move(-inf, -inf, lambda time: head_goal(rest(time), self._usual(rest(time)))),
-            lambda part, _: minimum_jerk(part),
-        )
+        self.head = Past(Move(-inf, -inf, lambda _: ahead), lambda part, _: minimum_jerk(part))
 
     def plan(self, time: float, wish: Wish) -> GazePlan:
         """The shift that begins at `time` (scene's clock), laid over those planned before it."""
         eyes, head = wish.parts != "head only", wish.parts != "eyes only"
         target = self._direction(wish.aim)
+        at = target(time)
         self._drop_pending(time, eyes, head)
-        origin, turned = self.eyes.at(time), self.head.at(time)
-        share, start = self._share(wish, target(time), self.head.goal(time))
-        amplitude = _distance(target(time), origin)
-        turn = _distance(head_goal(target(time), share, start), turned) if head else 0.0
+        share, start = self._share(wish, at, self.head.goal(time))
+        goal = head_goal(at, share, start)
+        amplitude = _distance(at, self.eyes.at(time)) if eyes else 0.0
+        turn = _distance(goal, self.head.at(time)) if head else 0.0
         times = _times(time, wish, amplitude, turn)
         if eyes:
             self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target))
         if head:
-            move = Move(times.head_onset, times.head_done, partial(_head_at, target, share, start))
-            self.head.moves.append(move)
+            moves = self.room.moving(wish.aim)
+            follows = _once(partial(_head_at, target, share, start)) if moves else lambda _: goal
+            self.head.moves.append(Move(times.head_onset, times.head_done, follows))
         landed = self._landed(times, target) if eyes else times.head_done
         return GazePlan(
             aim=wish.aim,
@@ -152,12 +157,18 @@ class Shifter:
         return short
 
     def _direction(self, aim: Aim) -> Callable[[float], Direction]:
+        known = self._directions.get(aim)
+        if known is None:
+            known = self._directions[aim] = self._directed(aim)
+        return known
+
+    def _directed(self, aim: Aim) -> Callable[[float], Direction]:
         def direction(time: float) -> Direction:
             sight = self.room.sight(self.face.name, aim, time)
             return within((sight.yaw, sight.pitch))
 
         if self.room.moving(aim):
-            return direction
+            return _once(direction)
         still = direction(0.0)
         return lambda time: still
 
@@ -190,8 +201,9 @@ class Shifter:
     def _landed(self, times: Times, target: Callable[[float], Direction]) -> float:
         """When the eyes have the target, or are as near as they get: they may have to wait for the head."""
         time = times.eye_done
+        step = max(WAIT_STEP, (times.head_done - time) / WAIT_STEPS)
         while time < times.head_done and extent(in_head(target(time), self.head.at(time))) > 1.0:
-            time = min(times.head_done, time + WAIT_STEP)
+            time = min(times.head_done, time + step)
         return time
 
 
@@ -227,6 +239,19 @@ def _times(time: float, wish: Wish, amplitude: float, turn: float) -> Times:
 
 def _head_at(target: Callable[[float], Direction], share: Direction, start: Direction, time: float) -> Direction:
     return head_goal(target(time), share, start)
+
+
+def _once(goal: Callable[[float], Direction]) -> Callable[[float], Direction]:
+    """The same goal, worked out once where it is asked for again and again at one time."""
+    last = (inf, (0.0, 0.0))
+
+    def remembered(time: float) -> Direction:
+        nonlocal last
+        if last[0] != time:
+            last = (time, goal(time))
+        return last[1]
+
+    return remembered
 
 
 def _distance(one: Direction, other: Direction) -> float:

@@ -13,7 +13,7 @@ from facescript.ir.acts import Life, Voice
 from facescript.ir.play import Crowd, Face, Film, FixedTarget, MovingTarget
 from facescript.ir.values import Aim, AtCamera, AtFace, AtPerson, AtTarget, PicturePlace, Point, Towards
 from facescript.space.layout import BOX, EYES, lay_out
-from facescript.space.path import place_at
+from facescript.space.path import Path
 from facescript.space.room import Room, screen_fraction
 from facescript.text import Source, Span
 
@@ -76,7 +76,7 @@ def test_pixels_become_centimetres_from_the_centre_up_and_to_the_right() -> None
 def test_a_target_rests_before_its_first_key_and_after_its_last() -> None:
     visitor = TARGETS[2]
     assert isinstance(visitor, MovingTarget)
-    ends = [place_at(visitor.times, visitor.places, time) for time in (-1, 0, 2, 4, 9)]
+    ends = [Path(visitor.times, visitor.places).at(time) for time in (-1, 0, 2, 4, 9)]
     assert [round(place.x, 6) for place in ends] == [-80, -80, 0, 80, 80]
 
 
@@ -91,9 +91,9 @@ def test_a_target_goes_through_its_keys_without_overshoot(drawn: list[tuple[floa
         times.append(total)
     places = [Point(x, -x, 100) for _, x in drawn]
     for index, time in enumerate(times):
-        assert place_at(times, places, time).x == pytest.approx(places[index].x, abs=1e-6)
+        assert Path(times, places).at(time).x == pytest.approx(places[index].x, abs=1e-6)
     for (t0, one), (t1, other) in pairwise(zip(times, places, strict=True)):
-        x = place_at(times, places, t0 + part * (t1 - t0)).x
+        x = Path(times, places).at(t0 + part * (t1 - t0)).x
         assert min(one.x, other.x) - 1e-9 <= x <= max(one.x, other.x) + 1e-9
 
 
@@ -103,7 +103,7 @@ def test_the_speed_of_a_target_has_no_jumps(drawn: list[tuple[float, float]]) ->
     places = [Point(x, 0, 100) for _, x in drawn]
     h = 1e-5
     for time in times:
-        before, at, after = (place_at(times, places, time + step).x for step in (-h, 0.0, h))
+        before, at, after = (Path(times, places).at(time + step).x for step in (-h, 0.0, h))
         assert (after - at) / h == pytest.approx((at - before) / h, abs=0.02 * 200 / 0.01)
 
 

@@ -189,6 +189,17 @@ TIME: tuple[Entry, ...] = (
         stage="unforced",
     ),
     Entry(
+        "FS422",
+        "too-long",
+        Severity.ERROR,
+        "This script is too long to be timed: {statements} statements, {looks} looks and {reactions} reactions in it "
+        "move each other.",
+        "repeat 6000 times:\n    look left 20deg\n    look right 20deg\n",
+        "repeat 6000 times:\n    look left 20deg for 2s\n",
+        "How long a look takes depends on where it comes from. Give looks a time of their own (`for 2s`), or make two "
+        "films of one.",
+    ),
+    Entry(
         "FS420",
         "empty-cue",
         Severity.WARNING,
