@@ -24,10 +24,10 @@ class OptionFault(Exception):
 
 
 def show(diagnostics: Iterable[Diagnostic], hints: bool = True) -> int:
-    """Print what authors are told, places in order; returns 1 where anything is an error, else 0."""
+    """Print what authors are told, places in order, an empty line between; returns 1 where anything is an error, else 0."""
     items = [item for item in in_order(diagnostics) if hints or item.severity is not Severity.HINT]
-    for item in items:
-        print(render(item, colour=_colourful()), file=sys.stderr)
+    if items:
+        print("\n\n".join(render(item, colour=_colourful()) for item in items), file=sys.stderr)
     return FAULTS if any(item.severity is Severity.ERROR for item in items) else 0
 
 

@@ -47,3 +47,11 @@ def test_starter_is_clean_and_in_the_layout(tmp_path: Path, monkeypatch: pytest.
     assert "facescript build first.face -o first.mp4" in capsys.readouterr().err
     assert main(["check", "first.face"]) == 0 == main(["fmt", "--check", "first.face"])
     assert capsys.readouterr().err == ""
+
+
+def test_diagnostics_stand_apart(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Captured) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("a.face").write_text("wait 2\nnodd\n", "utf-8")
+    assert main(["check", "a.face"]) == 1
+    told = capsys.readouterr().err
+    assert told.count("\n\n") == 1 and not told.endswith("\n\n")
