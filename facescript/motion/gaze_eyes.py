@@ -17,6 +17,9 @@ Floats = NDArray[np.float64]
 APART_CM = 6.3
 """The distance of the eyes in the room, whatever the face's size, cm."""
 
+WIDE = 85.0
+"""Degrees: an eye that is turned further, by a channel of its own, counts as turned so far."""
+
 KNEE, END = 0.95, 0.9999
 """From the first part of their reach on the eyes are slowed, so that they come to the second without a jolt."""
 
@@ -38,9 +41,14 @@ def eyes(sight: Floats, head_pose: Floats) -> Floats:
 
 
 def midline(eye_angles: Floats, head_pose: Floats) -> Floats:
-    """Where the eyes' midline points in the room: array[n, 2], yaw and pitch; the inputs are as `eyes` has them."""
-    both = eye_angles[:, :, :2].mean(axis=1)
-    return np.stack(_angles(_to_room(_vectors(both[:, 0], both[:, 1]), head_pose)), axis=-1)
+    """Where the eyes' midline points in the room: array[n, 2], yaw and pitch; the inputs are as `eyes` has them.
+
+    The direction from between the eyes to where they meet, near or far: the slopes of both, not their angles, average.
+    """
+    yaw, pitch = np.radians(np.clip(eye_angles[:, :, 0], -WIDE, WIDE)), np.radians(eye_angles[:, :, 1])
+    aside, up = np.tan(yaw), np.tan(pitch) / np.cos(yaw)
+    slopes = [(side[:, 0] + side[:, 1]) / 2 for side in (aside, up)]
+    return np.stack(_angles(_to_room(np.stack([*slopes, np.ones_like(slopes[0])], axis=-1), head_pose)), axis=-1)
 
 
 def _within_reach(yaw: Floats, pitch: Floats) -> tuple[Floats, Floats]:
@@ -74,10 +82,10 @@ def _matrices(pose: Floats) -> Floats:
 
 
 def _to_room(vectors: Floats, pose: Floats) -> Floats:
-    turned: Floats = np.einsum("nij,nj->ni", _matrices(pose), vectors)
+    turned: Floats = (_matrices(pose) * vectors[:, None, :]).sum(axis=2)
     return turned
 
 
 def _to_head(vectors: Floats, pose: Floats) -> Floats:
-    turned: Floats = np.einsum("nji,nj->ni", _matrices(pose), vectors)
+    turned: Floats = (_matrices(pose) * vectors[:, :, None]).sum(axis=1)
     return turned

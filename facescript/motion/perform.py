@@ -49,9 +49,6 @@ class FaceMotion:
     def sample(self, times: Floats) -> Frames:
         """Poses at `times` (seconds, any order): array[len(times), len(NAMES)]."""
         times = np.ascontiguousarray(times, dtype=np.float64)
-        if len(times) == 1:
-            # Of a single row numpy's einsum sums the axes in another order, and so to other last bits, than of several.
-            return self.sample(np.repeat(times, 2))[:1]
         if np.all(times[1:] >= times[:-1]):
             return compose(self.asked(times))
         order = np.argsort(times, kind="stable")

@@ -1,4 +1,4 @@
-"""A build that is interrupted, or whose disk is full: what stood there stands, and nothing half-written lies beside it."""
+"""A build that is interrupted, or whose disk is full: what stood there stands, and nothing half-written is left."""
 
 from __future__ import annotations
 

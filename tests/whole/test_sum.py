@@ -64,4 +64,6 @@ def test_smile_wink_and_turn(degree: str, tmp_path: Path) -> None:
     assert together[-1, INDEX["head.yaw"]] == pytest.approx(15)
 
     for axis in ("yaw", "pitch"):
-        assert together[:, INDEX[f"gaze.{axis}"]] == pytest.approx(0, abs=1e-4)
+        gaze = INDEX[f"gaze.{axis}"]
+        assert alone["turn"][:, gaze] == pytest.approx(0, abs=1e-4), "the eyes stay on the camera while the head turns"
+        assert together[:, gaze] == pytest.approx(alone["wink"][:, gaze], abs=0.1), "a lid that closes pulls its eye"
