@@ -29,6 +29,9 @@ WIDEST, LONGEST = 116, 24
 
 HIDDEN = re.compile("[\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff]")
 
+SPOKEN = re.compile(r"\d+\.\d{2,} s")
+"""Seconds that a voice decides; machines need not agree on them."""
+
 FAMILIES = {
     "1": "What cannot be read",
     "2": "Names",
@@ -82,7 +85,7 @@ def _sentence(entry: Entry) -> str:
         for path, text in {**entry.files, "script.face": entry.bad}.items():
             (Path(name) / path).write_text(text, "utf-8")
         said = next(_commanded(entry, name) if entry.stage == "command" else _compiled(entry, name))
-    return _short(said)
+    return _short(SPOKEN.sub("… s", said) if entry.stage != "check" else said)
 
 
 def _compiled(entry: Entry, folder: str) -> Iterator[str]:

@@ -24,7 +24,7 @@ class OptionFault(Exception):
 
 
 def show(diagnostics: Iterable[Diagnostic], hints: bool = True) -> int:
-    """Print what authors are told, places in order, an empty line between; returns 1 where anything is an error, else 0."""
+    """Print what authors are told, places in order, an empty line between; returns 1 where there is an error."""
     items = [item for item in in_order(diagnostics) if hints or item.severity is not Severity.HINT]
     if items:
         print("\n\n".join(render(item, colour=_colourful()) for item in items), file=sys.stderr)
