@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from facescript.rig.cartoon.outline import Loop, Part, both, loop, mirror, ribbon, spot
+from facescript.rig.cartoon.outline import Loop, Part, both, disc, loop, mirror, ribbon, spot
 from facescript.rig.cartoon.palette import Palette, mix
 from facescript.rig.picture import Linear, Paint, Radial, Stop
 
@@ -162,3 +162,20 @@ def face_outline(half: Sequence[tuple[float, float]]) -> Loop:
     """The whole outline from its right half, crown to chin."""
     right = loop(*half)
     return right + mirror(right)[1:-1]
+
+
+def backdrop_parts(p: Palette) -> tuple[Part, ...]:
+    """The ground and disc behind the bust."""
+    ground = loop((-360, -318, 1), (360, -318, 1), (360, 402, 1), (-360, 402, 1))
+    return (
+        Part(
+            "backdrop-ground", "background", "body", ramp((0, p["fixed.ground"]), (1, p["fixed.ground-low"])), (ground,)
+        ),
+        Part(
+            "backdrop-disc",
+            "background",
+            "body",
+            ramp((0, p["fixed.disc"]), (1, p["fixed.disc-low"])),
+            (disc(0, 30, 292, 292),),
+        ),
+    )

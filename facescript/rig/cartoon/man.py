@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from facescript.rig.cartoon.common import (
     ACROSS,
+    backdrop_parts,
     brow_parts,
     cheek_parts,
     expression_lines,
@@ -305,23 +306,6 @@ def parts(p: Palette) -> tuple[Part, ...]:
     )
 
 
-def backdrop(p: Palette) -> tuple[Part, ...]:
-    """The ground and disc behind the bust."""
-    ground = loop((-360, -318, 1), (360, -318, 1), (360, 402, 1), (-360, 402, 1))
-    return (
-        Part(
-            "backdrop-ground", "background", "body", ramp((0, p["fixed.ground"]), (1, p["fixed.ground-low"])), (ground,)
-        ),
-        Part(
-            "backdrop-disc",
-            "background",
-            "body",
-            ramp((0, p["fixed.disc"]), (1, p["fixed.disc-low"])),
-            (disc(0, 30, 292, 292),),
-        ),
-    )
-
-
 MAN = FaceStyle(
     name="man",
     d=114.0,
@@ -361,7 +345,7 @@ MAN = FaceStyle(
     ),
     palette=PALETTE,
     parts=parts,
-    backdrop=backdrop,
+    backdrop=backdrop_parts,
     points={"hairline": (0, -120), "temple": (78, -104), "ear-top": (130, -27), "ear-low": (130, 52)},
     hair=(
         (0, -228), (20, -228), (84, -210), (122, -168), (129, -126), (131, -62), (128, -22), (122, 30), (112, -56),

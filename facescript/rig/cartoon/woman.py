@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from facescript.rig.cartoon.common import (
     ACROSS,
+    backdrop_parts,
     brow_parts,
     cheek_parts,
     expression_lines,
@@ -16,7 +17,7 @@ from facescript.rig.cartoon.common import (
 )
 from facescript.rig.cartoon.eye import EyeStyle
 from facescript.rig.cartoon.lips import MouthStyle
-from facescript.rig.cartoon.outline import Part, both, disc, loop, mirror, ribbon, spot
+from facescript.rig.cartoon.outline import Part, both, loop, mirror, ribbon, spot
 from facescript.rig.cartoon.palette import Palette, mix
 from facescript.rig.cartoon.style import BrowStyle, FaceStyle
 from facescript.rig.picture import Radial, Stop
@@ -303,23 +304,6 @@ def parts(p: Palette) -> tuple[Part, ...]:
     )
 
 
-def backdrop(p: Palette) -> tuple[Part, ...]:
-    """The ground and disc behind the bust."""
-    ground = loop((-360, -318, 1), (360, -318, 1), (360, 402, 1), (-360, 402, 1))
-    return (
-        Part(
-            "backdrop-ground", "background", "body", ramp((0, p["fixed.ground"]), (1, p["fixed.ground-low"])), (ground,)
-        ),
-        Part(
-            "backdrop-disc",
-            "background",
-            "body",
-            ramp((0, p["fixed.disc"]), (1, p["fixed.disc-low"])),
-            (disc(0, 30, 292, 292),),
-        ),
-    )
-
-
 WOMAN = FaceStyle(
     name="woman",
     d=116.0,
@@ -360,7 +344,7 @@ WOMAN = FaceStyle(
     ),
     palette=PALETTE,
     parts=parts,
-    backdrop=backdrop,
+    backdrop=backdrop_parts,
     points={"hairline": (0, -128), "temple": (74, -92), "ear-top": (127, -26), "ear-low": (127, 44)},
     hair=(
         (-34, -205), (36, -213), (108, -184), (156, -108), (170, -18), (160, 62), (168, 134), (186, 196),
