@@ -14,7 +14,14 @@ from facescript.cli.report import in_order
 from facescript.compile import compile_source
 from facescript.diagnostics.catalogue import CATALOGUE
 from facescript.diagnostics.model import Diagnostic, Severity
+from facescript.resolve.project import MOST_NODES
+from facescript.resolve.repeats import MOST_PASSES
+from facescript.resolve.tables import MOST_ROWS
+from facescript.resolve.targets import MOST_MEMBERS
+from facescript.resolve.texts import LONGEST
+from facescript.schedule.scheduler import MOST
 from facescript.speech.estimate import EstimatedVoice
+from facescript.syntax.lexer import LONGEST_LINE
 from facescript.text import Source
 from facescript.world import World
 
@@ -54,6 +61,11 @@ def test_bad_example_gives_the_codes_it_names(script: str) -> None:
 def test_manual_names_all_there_is(what: str) -> None:
     manual = (ROOT / "docs" / "language.md").read_text("utf-8")
     assert [name for name, _ in LISTS[what]() if f"`{name}`" not in manual] == []
+
+
+@pytest.mark.parametrize("limit", [MOST_PASSES, MOST_ROWS, MOST_MEMBERS, MOST_NODES, MOST, LONGEST, LONGEST_LINE])
+def test_manual_states_the_limits(limit: int) -> None:
+    assert f"{limit:,}" in (ROOT / "docs" / "language.md").read_text("utf-8").partition("## 20.")[2]
 
 
 def test_page_of_diagnostics_is_in_step() -> None:
