@@ -49,12 +49,15 @@ def statements(project: Project, body: tuple[tree.Statement, ...], place: Place)
     """The nodes of a block. A statement with a fault is left out, its fault reported."""
     nodes = []
     for statement in body:
-        try:
-            project.spend(1, statement.span)
+        project.spend(statement.span, _length(statement))
+        with suppress(Refused), project.deeper(statement.span):
             nodes.append(_READERS[type(statement)](project, statement, place))
-        except Refused:
-            continue
     return tuple(nodes)
+
+
+def _length(statement: tree.Statement) -> int:
+    """Characters of a line, with what hangs under it; what a block holds is counted by itself."""
+    return statement.span.end - statement.span.start if isinstance(statement, tree.Act) else 0
 
 
 def block(project: Project, body: tuple[tree.Statement, ...], place: Place, span: Span) -> Sequence:
@@ -140,7 +143,7 @@ def _inline_cues(project: Project, inlines: tuple[Inline, ...], length: int, pla
     cues = []
     for inline in inlines:
         try:
-            project.spend(1, inline.span)
+            project.spend(inline.span)
             _nameless(project, inline)
             bare = _is_bare(project, inline)
             phrases = _with_add(inline) if bare else inline.phrases

@@ -91,7 +91,8 @@ def _is_mix(project: Project, words: tuple[tree.Word, ...]) -> bool:
             return False
         project.open.append(definition)
         try:
-            return _is_mix(project, expansion.words)
+            with project.deeper(word.span):
+                return _is_mix(project, expansion.words)
         finally:
             project.open.pop()
     return is_shown(project, word)

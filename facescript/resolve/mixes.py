@@ -46,7 +46,8 @@ def expression_mix(project: Project, name: str, side: str, degree: Amount, span:
 def _term(project: Project, reader: Reader, sign: float) -> tuple[Term, ...]:
     word = reader.next()
     if isinstance(word, Bracket):
-        inner = mix(project, word.inner.words, reader.scope, word.span)
+        with project.deeper(word.span):
+            inner = mix(project, word.inner.words, reader.scope, word.span)
         return _weighted(project, reader, inner.terms, sign, word.span)
     if isinstance(word, Call):
         return (_called(project, reader, word, sign),)
@@ -104,7 +105,7 @@ def _primitive(project: Project, reader: Reader, name: str, primitive: Primitive
 def _called(project: Project, reader: Reader, word: Call, sign: float) -> Term:
     definition, _ = find_expression(project, word.name)
     assert isinstance(definition.node, ExpressionDefinition)
-    project.called(word.span)
+    project.stand_for(len(definition.node.value.words), word.span)
     given = [(argument.name, argument.value.words, argument.span) for argument in word.arguments]
     scope = bind(project, definition.node.parameters, given, reader.scope, word.span, definition.name)
     with project.entering(definition, word.span):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import Any
 
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostics, Fix, Related, Severity
@@ -15,11 +16,18 @@ from facescript.resolve.suggest import meant
 from facescript.text import Span
 from facescript.world import World
 
-MOST_NODES = 50_000
-"""Statements that a play may have once its actions and its repeats over crowds and tables are unfolded."""
+MOST_NODES, EACH = 10_000, 2
+"""Statements that a play may have once its actions and its repeats over crowds and tables are unfolded: so many, and
+`EACH` for each line that is written. A statement of many lines counts as more."""
 
-MOST_CALLS = 5_000
-"""Calls of expressions with parameters that are worked out for one play."""
+LINE = 80
+"""Characters of a line of usual length."""
+
+MOST_WORDS = 50_000
+"""Words that the names of one play (parameters, cells, `let`s, calls of expressions) may stand for in all."""
+
+DEEPEST = 100
+"""Blocks, actions, brackets and names that may stand in each other, all told."""
 
 
 class Refused(Exception):
@@ -51,8 +59,11 @@ class Project:
     drivers: dict[tuple[str, str], tuple[Driver, ...]] = field(default_factory=dict)
     lines: dict[str, str | None] = field(default_factory=dict)
     marks: list[tuple[Mark, Span]] = field(default_factory=list)
+    tables: dict[str, tuple[Any, ...]] = field(default_factory=dict)
+    most: int = MOST_NODES
     weight: int = 0
-    calls: int = 0
+    stood_for: int = 0
+    depth: int = 0
     open: list[Definition] = field(default_factory=list)
     circled: set[Definition] = field(default_factory=set)
     cells: list[Cell] = field(default_factory=list)
@@ -115,7 +126,8 @@ class Project:
             raise self.refuse("FS215", definition.span, kind=definition.kind, name=definition.name, chain=chain)
         self.open.append(definition)
         try:
-            yield
+            with self.deeper(span):
+                yield
         finally:
             self.open.pop()
 
@@ -131,17 +143,28 @@ class Project:
         finally:
             self.cells.pop()
 
-    def spend(self, amount: int, span: Span) -> None:
-        """Counts statements; a script that unfolds into too many is refused."""
-        self.weight += amount
-        if self.weight > MOST_NODES:
-            raise TooMuch(span, MOST_NODES, "statements")
+    @contextmanager
+    def deeper(self, span: Span) -> Iterator[None]:
+        """While what stands inside something is read; a script that goes too deep is refused."""
+        self.depth += 1
+        if self.depth > DEEPEST:
+            raise TooMuch(span, DEEPEST, "levels, one in another")
+        try:
+            yield
+        finally:
+            self.depth -= 1
 
-    def called(self, span: Span) -> None:
-        """Counts calls of expressions with arguments; a script that comes to too many is refused."""
-        self.calls += 1
-        if self.calls > MOST_CALLS:
-            raise TooMuch(span, MOST_CALLS, "calls of expressions")
+    def spend(self, span: Span, length: int = 0) -> None:
+        """Counts a statement, one of great `length` as several; a script that unfolds into too many is refused."""
+        self.weight += 1 + length // LINE
+        if self.weight > self.most:
+            raise TooMuch(span, self.most, "statements")
+
+    def stand_for(self, words: int, span: Span) -> None:
+        """Counts the words that a name stands for; a script that comes to too many is refused."""
+        self.stood_for += 1 + words
+        if self.stood_for > MOST_WORDS:
+            raise TooMuch(span, MOST_WORDS, "words that names stand for")
 
 
 def spoilt_lines(diagnostics: Diagnostics) -> frozenset[tuple[str, int]]:

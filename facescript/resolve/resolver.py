@@ -18,7 +18,7 @@ from facescript.resolve.faces import default_face, face
 from facescript.resolve.film import film
 from facescript.resolve.lives import preset
 from facescript.resolve.marks import check_marks
-from facescript.resolve.project import Project, Refused, TooMuch, spoilt_lines
+from facescript.resolve.project import EACH, Project, Refused, TooMuch, spoilt_lines
 from facescript.resolve.scenes import main_scene, opening, scenes
 from facescript.resolve.suggest import meant
 from facescript.resolve.targets import target
@@ -39,6 +39,7 @@ def resolve(
     `overrides` are values of `let`s by name, as text of the language (`--set NAME=VALUE`).
     """
     project = Project(world, diagnostics, library_names(library(world)))
+    project.most += EACH * script.source.text.count("\n")
     try:
         play = _resolved(project, script, overrides)
     except TooMuch as fault:

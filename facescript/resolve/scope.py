@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
+from facescript.resolve.cells import cell_words
 from facescript.resolve.names import Definition
 from facescript.resolve.project import Cell, Project, Refused
 from facescript.syntax.tree import Dotted, LetDefinition, Name, Word
@@ -22,11 +23,11 @@ class Closure:
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """A row of a table, bound to a repeat's name: its number from 1, and the cells by column as text and as words."""
+    """A row of a table, bound to a repeat's name: its number from 1, and the cells by column."""
 
     file: str
     number: int
-    cells: dict[str, tuple[str, tuple[Word, ...]]]
+    cells: dict[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,13 +140,15 @@ def _cell(project: Project, word: Name | Dotted, row: Row) -> Expansion:
         known = ", ".join(f"`{name}`" for name in row.cells)
         name = word.text if isinstance(word, Name) else ".".join(str(part) for part in word.parts)
         raise project.refuse("FS704", word.span, name=name, file=row.file, known=known)
-    text, words = row.cells[column]
-    return Expansion(words, GLOBAL, None, Cell(row.file, row.number, column, text, word.span))
+    text = row.cells[column]
+    cell = Cell(row.file, row.number, column, text, word.span)
+    return Expansion(cell_words(row.file, text), GLOBAL, None, cell)
 
 
 @contextmanager
 def inside(project: Project, expansion: Expansion, span: Span) -> Iterator[None]:
     """While what a name stands for is read: circles are found, and faults in a cell are told where it is used."""
+    project.stand_for(len(expansion.words), span)
     if expansion.cell is not None:
         with project.blaming(expansion.cell):
             yield
@@ -153,7 +156,8 @@ def inside(project: Project, expansion: Expansion, span: Span) -> Iterator[None]
         with project.entering(expansion.definition, span):
             yield
     else:
-        yield
+        with project.deeper(span):
+            yield
 
 
 def person(word: Word, scope: Scope) -> Person | None:

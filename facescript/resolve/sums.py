@@ -111,7 +111,8 @@ def primary(project: Project, reader: Reader) -> Value:
         return Value(_finite(project, float(word.value), word.span), COUNT, word.span)
     if isinstance(word, Bracket):
         inner = Reader(word.inner.words, reader.scope, word.span)
-        value = ranged(project, inner)
+        with project.deeper(word.span):
+            value = ranged(project, inner)
         left_over(project, inner)
         return Value(value.amount, value.kind, word.span, value.mark, value.cell)
     if isinstance(word, Name | Dotted):

@@ -5,13 +5,10 @@ from __future__ import annotations
 import csv
 import io
 
-from facescript.diagnostics.model import Diagnostics
 from facescript.resolve.files import project_path
 from facescript.resolve.project import Project
 from facescript.resolve.scope import Row
-from facescript.syntax.parser import parse_phrases
-from facescript.syntax.tree import String, Word
-from facescript.text import Source, Span
+from facescript.syntax.tree import String
 from facescript.world import WorldFailure
 
 MOST_ROWS = 20_000
@@ -22,7 +19,13 @@ LARGEST = 16 * 1024 * 1024
 def rows(project: Project, path: String) -> tuple[Row, ...]:
     """The rows of a table under its header line, empty lines left out. Raises `Refused`."""
     name = path.value
-    lines = _lines(project, path)
+    if name not in project.tables:
+        project.tables[name] = _rows(project, path, _lines(project, path))
+    return project.tables[name]
+
+
+def _rows(project: Project, path: String, lines: list[list[str]]) -> tuple[Row, ...]:
+    name = path.value
     if not lines:
         raise project.refuse("FS703", path.span, path=name, reason="it is empty")
     header = [column.strip() for column in lines[0]]
@@ -53,17 +56,4 @@ def _row(project: Project, path: String, number: int, header: list[str], cells: 
     if len(cells) != len(header):
         reason = f"row {number} has {len(cells)} cells under {len(header)} columns"
         raise project.refuse("FS703", path.span, path=path.value, reason=reason)
-    found = {
-        column: (cell.strip(), _words(path.value, cell.strip())) for column, cell in zip(header, cells, strict=True)
-    }
-    return Row(path.value, number, found)
-
-
-def _words(name: str, cell: str) -> tuple[Word, ...]:
-    """A cell as words of the language; what cannot be one is a text."""
-    source = Source(name, cell)
-    whole = Span(source, 0, len(cell))
-    phrases = parse_phrases(whole, Diagnostics())
-    if phrases is None or len(phrases) != 1 or not phrases[0].words:
-        return (String(cell, whole),)
-    return phrases[0].words
+    return Row(path.value, number, {column: cell.strip() for column, cell in zip(header, cells, strict=True)})
