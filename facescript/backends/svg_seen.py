@@ -39,6 +39,6 @@ def inside_clips(shapes: Sequence[Shape], columns: Sequence[Ints], points: Float
 
 def around(seen: Bools) -> Bools:
     """The moments to follow a shape at: where it is seen, AROUND moments before and after, and both ends."""
-    near: Bools = np.convolve(seen, np.ones(2 * AROUND + 1), "same") > 0
+    near: Bools = np.convolve(seen, np.ones(2 * AROUND + 1))[AROUND : AROUND + len(seen)] > 0
     near[[0, -1]] = True
     return near

@@ -17,13 +17,14 @@ TILE = 32
 EARLY, LATE = 0.015, 0.045
 """Seconds the picture may be ahead of and behind its sound (motion bar L1)."""
 
+# Looked at after each frame is drawn, when every script of the page has had its turn.
 CLOCKS = """
 new Promise(done => {
   const svg = document.documentElement, audio = svg.querySelector("audio"), found = [];
-  const look = () => {
+  const look = () => setTimeout(() => {
     if (!audio.paused && audio.currentTime > 0.2) found.push(audio.currentTime - svg.getCurrentTime());
     if (found.length >= COUNT || audio.ended) done(found); else requestAnimationFrame(look);
-  };
+  });
   audio.currentTime = FROM; audio.play(); requestAnimationFrame(look);
 })
 """
@@ -38,10 +39,10 @@ def evening(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def minute(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A minute of speech."""
+    """A minute in which something is said every two seconds."""
     folder = tmp_path_factory.mktemp("minute")
-    lines = "".join(f'    say "Line {number} of a talk about bridges, boats and birds."\n' for number in range(24))
-    script = f"film 320x320, 62s long, seed 1\nface ada = woman\n    life calm\nscene talk:\n{lines}"
+    lines = "".join(f'    say "Number {number}."\n    wait 1s\n' for number in range(36))
+    script = f"film 320x320, 62s long, seed 1\nface ada = woman\n    life still\nscene talk:\n{lines}"
     (folder / "minute.face").write_text(script, "utf-8")
     assert main(["build", str(folder / "minute.face"), "-o", str(folder / "minute.svg"), "--quiet"]) == 0
     return folder / "minute.svg"
@@ -109,3 +110,11 @@ def test_a_click_starts_it_where_sound_is_refused(evening: Path) -> None:
         assert not page.run("document.querySelector('audio').paused")
         assert page.run("document.querySelector('.play').getAttribute('visibility')") == "hidden"
         assert page.run("document.documentElement.getCurrentTime()") > 0.1
+
+
+def test_a_still_and_the_shortest_films(evening: Path, tmp_path: Path) -> None:
+    (tmp_path / "short.face").write_text("nod for 60ms\n")
+    for words in (["--at", "10ms"], ["--to", "4ms"], ["--to", "30ms"], []):
+        assert main(["build", str(tmp_path / "short.face"), "-o", str(tmp_path / "out.svg"), "--quiet", *words]) == 0
+        with Page((tmp_path / "out.svg").as_uri()) as page:
+            assert np.ptp(page.picture()) > 100
