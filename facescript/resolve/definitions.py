@@ -49,7 +49,7 @@ def _add(
 ) -> None:
     name = node.name
     if name.text in WORDS:
-        project.report("FS209", name.span, name=name.text)
+        _refuse(project, kind, name)
         return
     earlier = project.names.written.get(name.text)
     if earlier is not None:
@@ -64,12 +64,21 @@ def _add(
         _parameters(project, node.parameters)
 
 
+def _refuse(project: Project, kind: str, name: tree.Name) -> None:
+    """Refuses a word of the language as a name, so that no more is said where it is used."""
+    if kind == "action":
+        project.refuse_word(name.span)
+        return
+    project.report("FS209", name.span, name=name.text)
+    project.spoilt |= {name.text}
+
+
 def _parameters(project: Project, parameters: tuple[tree.Parameter, ...]) -> None:
     seen: dict[str, tree.Name] = {}
     for parameter in parameters:
         name = parameter.name
         if name.text in WORDS:
-            project.report("FS209", name.span, name=name.text)
+            project.refuse_word(name.span)
         elif name.text in seen:
             related = (Related(seen[name.text].span, "it is a parameter here already"),)
             project.report("FS208", name.span, related=related, name=name.text)

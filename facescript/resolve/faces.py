@@ -10,6 +10,7 @@ from facescript.ir.values import PicturePlace
 from facescript.resolve.lines import Line, segments
 from facescript.resolve.lives import KINDS as KNOBS
 from facescript.resolve.lives import USUAL, preset
+from facescript.resolve.names import Definition
 from facescript.resolve.places import picture_place
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader
@@ -21,14 +22,16 @@ from facescript.resolve.words import FACE, KINDS, LATER_KINDS, LOOKS
 from facescript.syntax.tree import Colour, Declaration, Name, Phrase
 from facescript.text import Span
 
-ONLY = "face"
-"""The name of the face of a script that declares none."""
+ONLY = "somebody"
+"""The name of the face of a script that declares none: `view somebody 180%`. Outputs with one face carry no name."""
 
 GAZES: tuple[Literal["eye-mover", "head-mover"], ...] = ("eye-mover", "head-mover")
 
 
 def default_face(project: Project, span: Span) -> Face:
-    """The woman of a script that declares no face."""
+    """The woman of a script that declares no face, known by the name `ONLY` where nothing else is."""
+    node = Declaration("face", Name(ONLY, span), (), (), span)
+    project.names.written.setdefault(ONLY, Definition("face", ONLY, node, span, own=False))
     return Face(ONLY, "woman", Voice(), preset(project, USUAL, span), span)
 
 

@@ -21,7 +21,11 @@ SCREENS = {"patent": 1 / 3, "measured": 0.6, "none": 1.0}
 SIDES = (16, 8192)
 """Smallest and largest width and height in pixels."""
 
-RATES = (1.0, 240.0)
+RATES = (1.0, 1000.0)
+"""Slowest and fastest, pictures a second; tables may be finer by `--fps`."""
+
+LONGEST = 4 * 3600.0
+"""Seconds of a film."""
 
 
 def film(project: Project, settings: list[Setting]) -> Film:
@@ -48,11 +52,12 @@ def _said(project: Project, found: Film, words: tuple[Word, ...], seen: dict[str
         return _sized(project, found, words[0])
     if name == "rate":
         rate = number(project, value, GLOBAL, FRAMES, span)
-        return replace(found, fps=_within(project, rate, RATES, "1fps to 240fps", span))
+        return replace(found, fps=_within(project, rate, RATES, "1fps to 1000fps", span))
     if name == "seed":
         return replace(found, seed=_whole(project, value, span))
     if name == "long":
-        return replace(found, long=number(project, value, GLOBAL, TIME, span, least=0.001))
+        long = number(project, value, GLOBAL, TIME, span, least=0.001)
+        return replace(found, long=_within(project, long, (0.001, LONGEST), f"1ms to {LONGEST:g}s", span))
     if name == "screen":
         return replace(found, screen=_screen(project, value, span))
     return replace(found, wide_cm=number(project, value, GLOBAL, LENGTH, span, least=1.0))

@@ -21,7 +21,7 @@ def gather(project: Project, body: tuple[tree.Statement, ...], prefix: str, pare
 
 def _declare(project: Project, labels: Labels, name: tree.Name) -> None:
     if name.text in WORDS:
-        project.report("FS209", name.span, name=name.text)
+        project.refuse_word(name.span)
         return
     earlier = labels.names.get(name.text)
     if earlier is None:
@@ -38,7 +38,7 @@ def _declare(project: Project, labels: Labels, name: tree.Name) -> None:
 def check_free(project: Project, name: tree.Name) -> None:
     """Refuses a name for a pass's row or for a person that is a word of the language or is defined already."""
     if name.text in WORDS:
-        raise project.refuse("FS209", name.span, name=name.text)
+        raise project.refuse_word(name.span)
     definition = project.names.written.get(name.text)
     if definition is not None:
         related = (Related(definition.span, "it is here already"),)

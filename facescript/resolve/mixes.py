@@ -140,12 +140,20 @@ def find_expression(project: Project, word: Name | Dotted) -> tuple[Definition, 
     if definition is None:
         if undrawable(name):
             raise project.refuse("FS219", word.span, name=name)
-        known = [*project.names.known("expression"), *PRIMITIVES]
+        known = [*project.names.known("expression"), *PRIMITIVES, *_other_sides(project, word)]
         raise project.unknown("FS201", spelled(word), known, word.span)
     if definition.kind != "expression":
         wanted = "an expression, FACS unit, muscle or channel"
         raise project.refuse("FS214", word.span, name=name, kind=article(definition.kind), wanted=wanted)
     return definition, side
+
+
+def _other_sides(project: Project, word: Name | Dotted) -> list[str]:
+    """The sides of what a name means but for its last part."""
+    base = ".".join(str(part) for part in word.parts[:-1]) if isinstance(word, Dotted) else ""
+    definition = project.names.written.get(base) or project.names.library.get(base)
+    known = base in PRIMITIVES or (definition is not None and definition.kind == "expression")
+    return [f"{base}.{side}" for side in SIDES] if known else []
 
 
 def is_shown(project: Project, word: Word) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -59,6 +60,7 @@ class Project:
     drivers: dict[tuple[str, str], tuple[Driver, ...]] = field(default_factory=dict)
     lines: dict[str, str | None] = field(default_factory=dict)
     marks: list[tuple[Mark, Span]] = field(default_factory=list)
+    refused: set[str] = field(default_factory=set)
     tables: dict[str, tuple[Any, ...]] = field(default_factory=dict)
     most: int = MOST_NODES
     weight: int = 0
@@ -83,6 +85,8 @@ class Project:
         """
         if span is not None and self.spoilt_lines and _line(span) in self.spoilt_lines:
             return
+        if span is not None and self.refused and code != "FS209" and self._refused_in(span):
+            return
         diagnostic = diagnose(code, span, fixes=fixes, related=related, **values)
         if self.cells:
             cell = self.cells[0]
@@ -93,6 +97,16 @@ class Project:
                 "FS323", cell.span, text=cell.text, row=cell.row, column=cell.column, file=cell.file, reason=reason
             )
         self.diagnostics.add(diagnostic)
+
+    def refuse_word(self, span: Span) -> Refused:
+        """Refuses a word of the language as a name. Nothing is said of the lines that use it: they cannot be read."""
+        self.report("FS209", span, name=span.text)
+        self.refused.add(span.text)
+        return Refused()
+
+    def _refused_in(self, span: Span) -> bool:
+        line = span.source.line(_line(span)[1])
+        return any(re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", line) for word in self.refused)
 
     def refuse(
         self,

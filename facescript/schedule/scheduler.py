@@ -14,7 +14,7 @@ from facescript.schedule.drops import Key as Term
 from facescript.schedule.drops import take_off
 from facescript.schedule.events import Events
 from facescript.schedule.facts import Facts
-from facescript.schedule.faults import Faults
+from facescript.schedule.faults import Faults, tell
 from facescript.schedule.labels import Labels, nodes
 from facescript.schedule.lengths import Lengths
 from facescript.schedule.looks import Gaze, landings, scene_at
@@ -38,6 +38,9 @@ statement that a play has. Scripts come to rest after two to five rounds."""
 
 LOOK, REACTION = 4, 5
 """What the plan of a look and the start of a reaction cost, in statements."""
+
+LONGEST = 4 * 3600.0
+"""Seconds of a film."""
 
 RESTLESS = 12
 """After so many rounds without rest it is the script that has none; after fewer it is too long."""
@@ -78,12 +81,18 @@ class _Scheduler:
             solved = None
         for span, failure in self.voices.failures:
             self.faults.voice(span, failure)
+        score = None
         if solved is not None and not self.faults.failed:
             self._check(solved)
+            score = self._written(solved)
         self.faults.hand_over(diagnostics)
-        if solved is None or self.faults.failed:
-            return None
-        return Writing(self.play, solved, self.concrete, self.plans, self.drops).score()
+        return None if self.faults.failed else score
+
+    def _written(self, solved: Round) -> Score:
+        score = Writing(self.play, solved, self.concrete, self.plans, self.drops).score()
+        if score.duration > LONGEST:
+            self.faults.add("FS423", self.play.scenes[-1].span, lasts=tell(score.duration), longest=tell(LONGEST))
+        return score
 
     def _rounds(self) -> Round | None:
         """Solve until nothing new is learned; None where an error stands in the way."""

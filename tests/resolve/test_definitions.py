@@ -17,8 +17,8 @@ from facescript.resolve.words import MODIFIERS, VERBS, WORDS
 
 def test_a_script_of_one_line_has_one_face_and_one_scene() -> None:
     play = play_of('say "Hello."\n')
-    assert [(face.name, face.kind, face.voice.language) for face in play.faces] == [("face", "woman", "en-us")]
-    assert [(scene.name, scene.faces) for scene in play.scenes] == [("main", ("face",))]
+    assert [(face.name, face.kind, face.voice.language) for face in play.faces] == [("somebody", "woman", "en-us")]
+    assert [(scene.name, scene.faces) for scene in play.scenes] == [("main", ("somebody",))]
     assert play.film == Film()
 
 
@@ -32,7 +32,7 @@ def test_film() -> None:
     ("phrase", "code"),
     [
         ("8x8", "FS304"),
-        ("500fps", "FS304"),
+        ("2000fps", "FS304"),
         ("30fpss", "FS303"),
         ("seeds 5", "FS308"),
         ("screen petent", "FS329"),

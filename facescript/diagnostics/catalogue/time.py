@@ -200,6 +200,15 @@ TIME: tuple[Entry, ...] = (
         "films of one.",
     ),
     Entry(
+        "FS423",
+        "film-long",
+        Severity.ERROR,
+        "The film lasts {lasts}; it may last {longest}.",
+        "repeat 100 times:\n    wait 1000s\n",
+        "film 60s long\n\nrepeat 100 times:\n    wait 1000s\n",
+        "`film NNs long` says where a build cuts; a longer play is made as several films.",
+    ),
+    Entry(
         "FS420",
         "empty-cue",
         Severity.WARNING,
