@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 from facescript.resolve.project import Project
 from facescript.resolve.scope import GLOBAL, Binding, Closure, Scope, Unknown
-from facescript.resolve.suggest import meant
 from facescript.syntax.tree import Name, Parameter, Word
 from facescript.text import Span
 
@@ -27,7 +26,7 @@ def bind(
     known = [parameter.name.text for parameter in parameters]
     for place, (name, words, where) in enumerate(given):
         if name is not None and name.text not in known:
-            clause, fixes = meant(name.text, known, name.span)
+            clause, fixes = project.meant(name.text, known, name.span)
             raise project.refuse("FS216", name.span, fixes=fixes, name=name.text, called=called, meant=clause)
         if name is None and place >= len(known):
             raise project.refuse("FS218", where, text=where.text, called=called, count=_counted(len(known)))

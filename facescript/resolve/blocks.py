@@ -16,7 +16,7 @@ from facescript.resolve.place import Place, doer, face_named
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import spelled
 from facescript.resolve.repeats import repeat
-from facescript.resolve.suggest import meant, replace
+from facescript.resolve.suggest import replace
 from facescript.resolve.sums import moment
 from facescript.resolve.texts import Inline
 from facescript.resolve.words import MODIFIERS, SYNONYMS, VERBS, Modifier
@@ -204,7 +204,7 @@ def _no_verb(project: Project, word: tree.Word, phrases: tuple[tree.Phrase, ...]
         return project.refuse("FS312", word.span, text=word.span.text, advice="a line begins with a verb")
     name = word.name.text if isinstance(word, tree.Call) else spelled(word)
     known = [*VERBS, *project.names.known("action"), "together", "choose", "repeat", *project.names.known("expression")]
-    clause, fixes = meant(name, known, word.span)
+    clause, fixes = project.meant(name, known, word.span)
     if name in SYNONYMS and name not in project.spoilt:
         return project.refuse(
             "FS222", word.span, fixes=(replace(word.span, SYNONYMS[name]),), name=name, verb=SYNONYMS[name]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from contextlib import suppress
 
 from facescript.resolve.actions import Statements
@@ -113,12 +114,12 @@ def check_unused(project: Project, script: tree.Script) -> None:
     """Tells of the script's own names that nothing uses. After an error only of those that stand nowhere else in its
     text, for the line that failed may have used them."""
     failed = project.diagnostics.failed
+    words = Counter(re.findall(r"[\w-]+", script.source.text))
     for definition in project.names.written.values():
         if not definition.own or definition.used or definition.name in project.spoilt:
             continue
         if definition.kind == "face" and len(project.faces) == 1:
             continue
-        word = rf"(?<![\w-]){re.escape(definition.name)}(?![\w-])"
-        if failed and len(re.findall(word, script.source.text)) > 1:
+        if failed and words[definition.name] > 1:
             continue
         project.report("FS211", definition.span, kind=definition.kind, name=definition.name)

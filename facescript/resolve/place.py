@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from facescript.resolve.project import Project
 from facescript.resolve.scope import Scope
-from facescript.resolve.suggest import meant
 from facescript.syntax.tree import Name
 from facescript.text import Span
 
@@ -51,7 +50,7 @@ def face_named(project: Project, name: Name, cast: tuple[str, ...], others: tupl
         known = [*project.names.known("face"), *others]
         if definition is None:
             raise project.unknown("FS203", name.text, known, name.span)
-        clause, fixes = meant(name.text, known, name.span)
+        clause, fixes = project.meant(name.text, known, name.span)
         raise project.refuse("FS203", name.span, fixes=fixes, name=name.text, meant=clause)
     if name.text not in cast:
         raise project.refuse("FS213", name.span, name=name.text)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
@@ -26,6 +26,9 @@ LINE = 80
 
 MOST_WORDS = 50_000
 """Words that the names of one play (parameters, cells, `let`s, calls of expressions) may stand for in all."""
+
+MANY = 100
+"""Faults of a script beyond which nothing is sought that an unknown name may have meant."""
 
 DEEPEST = 100
 """Blocks, actions, brackets and names that may stand in each other, all told."""
@@ -124,9 +127,13 @@ class Project:
     def unknown(self, code: str, name: str, known: list[str], span: Span) -> Refused:
         """Refuses an unknown name with the nearest known one; silent where a spoilt line may have defined it."""
         if name not in self.spoilt:
-            clause, fixes = meant(name, known, span)
+            clause, fixes = self.meant(name, known, span)
             self.report(code, span, fixes=fixes, name=name, meant=clause)
         return Refused()
+
+    def meant(self, name: str, known: Iterable[str], span: Span) -> tuple[str, tuple[Fix, ...]]:
+        """What an author may have meant by a name, as a clause and a fix; not sought any more after many faults."""
+        return meant(name, known if len(self.diagnostics.items) < MANY else (), span)
 
     @contextmanager
     def entering(self, definition: Definition, span: Span) -> Iterator[None]:

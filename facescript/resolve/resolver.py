@@ -20,7 +20,6 @@ from facescript.resolve.lives import preset
 from facescript.resolve.marks import check_marks
 from facescript.resolve.project import EACH, Project, Refused, TooMuch, spoilt_lines
 from facescript.resolve.scenes import main_scene, opening, scenes
-from facescript.resolve.suggest import meant
 from facescript.resolve.targets import target
 from facescript.resolve.uses import DEFINITIONS, library, used
 from facescript.syntax import tree
@@ -100,7 +99,7 @@ def _override(project: Project, name: str, text: str) -> None:
     span = Span(source, 0, len(source.text))
     definition = project.names.written.get(name)
     if definition is None or not isinstance(definition.node, tree.LetDefinition):
-        clause, _ = meant(name, project.names.known("let"), span)
+        clause, _ = project.meant(name, project.names.known("let"), span)
         project.report("FS232", span, name=name, meant=clause)
         return
     value = Span(source, len(name) + 1, len(source.text))

@@ -11,7 +11,6 @@ from facescript.resolve.labels import gather
 from facescript.resolve.place import Place, face_named
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.scope import GLOBAL, Scope
-from facescript.resolve.suggest import meant
 from facescript.syntax import tree
 from facescript.text import Span
 
@@ -102,7 +101,7 @@ def _outside(project: Project, item: tree.Statement) -> None:
     """Reports a statement outside the scenes; a misspelt definition is one too."""
     word = item.phrases[0].words[0] if isinstance(item, tree.Act) else None
     if isinstance(word, tree.Name):
-        clause, fixes = meant(word.text, DEFINERS, word.span)
+        clause, fixes = project.meant(word.text, DEFINERS, word.span)
         if fixes:
             project.report("FS204", word.span, fixes=fixes, name=word.text, meant=clause)
             return
