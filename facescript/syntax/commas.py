@@ -160,14 +160,20 @@ def _comma_extra(before: Phrase, phrase: Phrase, faults: Faults) -> None:
 
 
 def _as_last(phrases: tuple[Phrase, ...], faults: Faults) -> tuple[Phrase, ...]:
-    """The phrases with `as NAME` at their end; the same object where it is there or nowhere."""
+    """The phrases with `as NAME` at their end; the same object where it is there or nowhere. Of two names
+    the first stays where it is."""
+    if _is_named(phrases[-1].words[-2:]):
+        return phrases
     for number, phrase in enumerate(phrases):
         for index in range(1, len(phrase.words) - 1):
-            word, name = phrase.words[index : index + 2]
-            if type(word) is Name and word.text == "as" and type(name) is Name:
-                last = number == len(phrases) - 1 and index == len(phrase.words) - 2
-                return phrases if last else _move_as(phrases, number, index, faults)
+            if _is_named(phrase.words[index : index + 2]):
+                return _move_as(phrases, number, index, faults)
     return phrases
+
+
+def _is_named(words: tuple[Word, ...]) -> bool:
+    """Whether two words are `as NAME`."""
+    return len(words) == 2 and type(words[0]) is Name and words[0].text == "as" and type(words[1]) is Name
 
 
 def _move_as(phrases: tuple[Phrase, ...], number: int, index: int, faults: Faults) -> tuple[Phrase, ...]:

@@ -63,3 +63,7 @@ def test_a_long_line_breaks_after_a_comma_or_plus_and_before_nothing_that_begins
 
 def test_line_ends_of_other_systems_become_ours() -> None:
     assert layout("nod\r\n\r\n\r\nblink # twice\r\n") == "nod\n\nblink  # twice\n"
+
+
+def test_the_first_of_two_names_stays_where_it_is() -> None:
+    assert layout("nod  as a as b\n") == "nod as a as b\n"
