@@ -180,8 +180,9 @@ def _with_add(inline: Inline) -> tuple[tree.Phrase, ...]:
 
 def _word_cues(project: Project, act: tree.Act, text: str, place: Place) -> tuple[Cue, ...]:
     cues = []
+    spoilt = project.is_spoilt(act.span)
     for on in act.ons:
-        fits = not text or check_word(project, text, on.word.value, on.nth, on.word.span)
+        fits = not text or spoilt or check_word(project, text, on.word.value, on.nth, on.word.span)
         body = block(project, on.body, place, on.span)
         if fits:
             cues.append(Cue(body, word=on.word.value, nth=on.nth))

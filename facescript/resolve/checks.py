@@ -112,7 +112,9 @@ def _is_named(project: Project, words: tuple[tree.Word, ...]) -> bool:
 
 def check_unused(project: Project, script: tree.Script) -> None:
     """Tells of the script's own names that nothing uses. After an error only of those that stand nowhere else in its
-    text, for the line that failed may have used them."""
+    text, for the line that failed may have used them; of none where a line could not be read at all."""
+    if project.spoilt_lines:
+        return
     failed = project.diagnostics.failed
     words = Counter(re.findall(r"[\w-]+", script.source.text))
     for definition in project.names.written.values():

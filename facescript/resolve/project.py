@@ -13,6 +13,7 @@ from facescript.diagnostics.model import Diagnostics, Fix, Related, Severity
 from facescript.ir.play import Face, Film, Target
 from facescript.ir.values import Driver, Mark
 from facescript.resolve.names import Definition, Names
+from facescript.resolve.spoilt import line_of
 from facescript.resolve.suggest import meant
 from facescript.text import Span
 from facescript.world import World
@@ -86,7 +87,7 @@ class Project:
 
         Nothing more is said of a line that could not be read as it stands.
         """
-        if span is not None and self.spoilt_lines and _line(span) in self.spoilt_lines:
+        if span is not None and self.is_spoilt(span):
             return
         if span is not None and self.refused and code != "FS209" and self._refused_in(span):
             return
@@ -101,6 +102,14 @@ class Project:
             )
         self.diagnostics.add(diagnostic)
 
+    def is_spoilt(self, span: Span) -> bool:
+        """Whether any of it stands in a line that could not be read, or in the block of such a line."""
+        if not self.spoilt_lines:
+            return False
+        name, first = line_of(span)
+        last = span.source.position(span.end)[0]
+        return any((name, line) in self.spoilt_lines for line in range(first, last + 1))
+
     def refuse_word(self, span: Span) -> Refused:
         """Refuses a word of the language as a name. Nothing is said of the lines that use it: they cannot be read."""
         self.report("FS209", span, name=span.text)
@@ -108,7 +117,7 @@ class Project:
         return Refused()
 
     def _refused_in(self, span: Span) -> bool:
-        line = span.source.line(_line(span)[1])
+        line = span.source.line(line_of(span)[1])
         return any(re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", line) for word in self.refused)
 
     def refuse(
@@ -138,7 +147,7 @@ class Project:
     @contextmanager
     def entering(self, definition: Definition, span: Span) -> Iterator[None]:
         """Works out a definition; one that is reached from itself is refused with the whole circle."""
-        if definition in self.circled:
+        if definition in self.circled or (definition in self.open and self.is_spoilt(span)):
             raise Refused
         if definition in self.open:
             circle = self.open[self.open.index(definition) :]
@@ -186,16 +195,6 @@ class Project:
         self.stood_for += 1 + words
         if self.stood_for > MOST_WORDS:
             raise TooMuch(span, MOST_WORDS, "words that names stand for")
-
-
-def spoilt_lines(diagnostics: Diagnostics) -> frozenset[tuple[str, int]]:
-    """The lines (source's name, number) that hold an error so far: of the parser, before anything is resolved."""
-    errors = (item for item in diagnostics if item.severity is Severity.ERROR)
-    return frozenset(_line(item.span) for item in errors if item.span is not None)
-
-
-def _line(span: Span) -> tuple[str, int]:
-    return span.source.name, span.source.position(span.start)[0]
 
 
 class TooMuch(Exception):

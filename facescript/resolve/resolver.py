@@ -18,8 +18,9 @@ from facescript.resolve.faces import default_face, face
 from facescript.resolve.film import film
 from facescript.resolve.lives import preset
 from facescript.resolve.marks import check_marks
-from facescript.resolve.project import EACH, Project, Refused, TooMuch, spoilt_lines
+from facescript.resolve.project import EACH, Project, Refused, TooMuch
 from facescript.resolve.scenes import main_scene, opening, scenes
+from facescript.resolve.spoilt import spoilt
 from facescript.resolve.targets import target
 from facescript.resolve.uses import DEFINITIONS, library, used
 from facescript.syntax import tree
@@ -84,8 +85,8 @@ def _has_scenes(script: tree.Script) -> bool:
 
 def _define(project: Project, script: tree.Script, overrides: Mapping[str, str]) -> None:
     others = used(project, script)
-    project.spoilt = script.lost.union(*(other.lost for other in others))
-    project.spoilt_lines = spoilt_lines(project.diagnostics)
+    project.spoilt_lines, names = spoilt(project.diagnostics)
+    project.spoilt = names.union(script.lost, *(other.lost for other in others))
     for other in others:
         collect(project, other, own=False)
     collect(project, script, own=True)

@@ -32,7 +32,7 @@ from facescript.speech.model import VoiceBox
 MOST = 20_000
 """Statements that a script may come to as it is played: an hour and a half with four a second."""
 
-WORK, EACH = 60_000, 30
+WORK, EACH = 75_000, 30
 """What all rounds together may cost, in statements solved (some ten microseconds): so much, and more for each
 statement that a play has. Scripts come to rest after two to five rounds."""
 
@@ -96,20 +96,20 @@ class _Scheduler:
 
     def _rounds(self) -> Round | None:
         """Solve until nothing new is learned; None where an error stands in the way."""
-        facts, work, rounds = Facts(), 0, 0
+        facts, work, rounds, last = Facts(), 0, 0, 0
         solved, most = None, WORK + EACH * sum(1 for block in self._blocks() for _ in nodes(block))
-        while work < most:
+        while work + last <= most:
             solved, rounds = self._round(facts), rounds + 1
-            work += MOST - solved.maker.left + REACTION * len(solved.reactions) + 1
+            last = MOST - solved.maker.left + REACTION * len(solved.reactions) + 1
             if self.faults.failed or self.voices.failures:
                 return None
             learned = self._heard(solved, facts)
             if learned == facts:
                 learned = replace(facts, looks=self._seen(solved))
-                work += LOOK * sum(map(len, self.plans.values()))
+                last += LOOK * sum(map(len, self.plans.values()))
             if learned == facts:
                 return solved
-            facts = learned
+            facts, work = learned, work + last
         self._too_much(solved, rounds)
         return None
 

@@ -195,7 +195,7 @@ TIME: tuple[Entry, ...] = (
         "This script is too long to be timed: {statements} statements, {looks} looks and {reactions} reactions in it "
         "move each other.",
         "repeat 6000 times:\n    look left 20deg\n    look right 20deg\n",
-        "repeat 6000 times:\n    look left 20deg for 2s\n",
+        "repeat 1000 times:\n    look left 20deg for 2s\n",
         "How long a look takes depends on where it comes from. Give looks a time of their own (`for 2s`), or make two "
         "films of one.",
     ),
