@@ -32,7 +32,11 @@ def default_face(project: Project, span: Span) -> Face:
     """The woman of a script that declares no face, known by the name `ONLY` where nothing else is."""
     node = Declaration("face", Name(ONLY, span), (), (), span)
     project.names.written.setdefault(ONLY, Definition("face", ONLY, node, span, own=False))
-    return Face(ONLY, "woman", Voice(), preset(project, USUAL, span), span)
+    try:
+        life = preset(project, USUAL, span)
+    except Refused:
+        life = Life(USUAL)
+    return Face(ONLY, "woman", Voice(), life, span)
 
 
 def face(project: Project, node: Declaration) -> Face:

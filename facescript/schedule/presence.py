@@ -29,11 +29,13 @@ class Coming:
 
 @dataclass(slots=True)
 class Presence:
-    """The crowd `people` over time. `scenes` are the starts of the scenes, from which targets move."""
+    """The crowd `people` over time. `scenes` are the starts of the scenes, from which targets move; `asked` counts how
+    often it was looked how far somebody is."""
 
     room: Room
     comings: Sequence[Coming]
     scenes: Sequence[float] = (0.0,)
+    asked: int = 0
     _times: list[float] = field(default_factory=list)
     _crowds: list[tuple[str, ...]] = field(default_factory=list)
 
@@ -70,6 +72,7 @@ class Presence:
             last = now
 
     def _distance(self, person: str, time: float) -> float:
+        self.asked += 1
         point = self.room.point("", AtTarget(person), self.clock(time))
         return hypot(point.x, point.y, point.z)
 

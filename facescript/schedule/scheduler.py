@@ -39,6 +39,9 @@ statement that a play has. Scripts come to rest after two to five rounds."""
 LOOK, REACTION = 4, 5
 """What the plan of a look and the start of a reaction cost, in statements."""
 
+PERSONS = 3
+"""To look how far so many persons are costs as much as a statement."""
+
 LONGEST = 4 * 3600.0
 """Seconds of a film."""
 
@@ -101,6 +104,7 @@ class _Scheduler:
         while work + last <= most:
             solved, rounds = self._round(facts), rounds + 1
             last = MOST - solved.maker.left + REACTION * len(solved.reactions) + 1
+            last += solved.times.lengths.presence.asked // PERSONS
             if self.faults.failed or self.voices.failures:
                 return None
             learned = self._heard(solved, facts)
