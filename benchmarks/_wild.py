@@ -25,10 +25,44 @@ SIGNS = (
     "\t\"'()[]{}+-*/,.:;=#%|\\ \n\u201c\u201d\uff0c\uff1a\u200f\u0000\u4e2d\u00e9\U0001f600\ufeff\u2028\r\v\x1b\u0660"
     "\u0301\ud7ff9_~`!?&@^$<>"
 )
-NUMBERS = ("0", "1", "2", "7", "0.5", "1.25", "60", "100000", "99999999999999999999", "0.000001", "007", "-3", "1" * 400)
+NUMBERS = (
+    "0",
+    "1",
+    "2",
+    "7",
+    "0.5",
+    "1.25",
+    "60",
+    "100000",
+    "99999999999999999999",
+    "0.000001",
+    "007",
+    "-3",
+    "1" * 400,
+)
 UNITS = ("ms", "s", "deg", "cm", "m", "%", "/min", "fps", "", "x720", "hz", "min", "km")
-AIMS = ("camera", "lamp", "visitor", "crowd.2", "crowd.nearest", "bruno.mouth", "people", "away", "guest", "(1cm 2cm 3cm)")
-SUMS = ("smile", "wry 80%", "AU4 30% + AU7", "deep(40%) * 2", "smile.left - smile.left", "head.roll 8deg", "neutral", "AU1.lft")
+AIMS = (
+    "camera",
+    "lamp",
+    "visitor",
+    "crowd.2",
+    "crowd.nearest",
+    "bruno.mouth",
+    "people",
+    "away",
+    "guest",
+    "(1cm 2cm 3cm)",
+)
+SUMS = (
+    "smile",
+    "wry 80%",
+    "AU4 30% + AU7",
+    "deep(40%) * 2",
+    "smile.left - smile.left",
+    "head.roll 8deg",
+    "neutral",
+    "AU1.lft",
+)
 TEXTS = (
     '"Good [brows 50%]evening[/], everyone. | I have lost my *cup*."',
     '"小明在长城脚下[read zhang3]长[/]大，*一定*要去。"',
@@ -92,11 +126,15 @@ def played(chance: Random) -> str:
     """A script that may well mean something: statements of all kinds in blocks of all kinds, with reactions."""
     lines = [HEAD] if chance.random() < 0.9 else []
     if chance.random() < 0.2:
-        lines.append(f'use "{chance.choice(("studio.face", "hello.face", "nowhere.face", "fuzz.face", "../x.face"))}"\n')
+        lines.append(
+            f'use "{chance.choice(("studio.face", "hello.face", "nowhere.face", "fuzz.face", "../x.face"))}"\n'
+        )
     for number in range(chance.randrange(1, 4)):
         lines.append(f"scene part{number}:\n" + _block(chance, 1, chance.randrange(1, 7)))
     for _ in range(chance.randrange(0, 4)):
-        what = chance.choice(('heard "no"', 'key "q"', "person arrives as guest", "person nearest as guest", "person leaves"))
+        what = chance.choice(
+            ('heard "no"', 'key "q"', "person arrives as guest", "person nearest as guest", "person leaves")
+        )
         end = chance.choice(("", "    restart\n", "    stop\n", "    resume\n"))
         lines.append(f"when {what}:\n" + _block(chance, 1, chance.randrange(1, 4)) + end)
     for _ in range(chance.randrange(0, 5)):
@@ -143,7 +181,9 @@ def _opening(chance: Random) -> str:
 
 
 def _line(chance: Random) -> str:
-    times = "".join(f" {word} {amount(chance, 's', 'ms')}" for word in ("over", "for", "back in") if chance.random() < 0.2)
+    times = "".join(
+        f" {word} {amount(chance, 's', 'ms')}" for word in ("over", "for", "back in") if chance.random() < 0.2
+    )
     kind = chance.randrange(10)
     if kind < 3:
         aim = chance.choice(AIMS)
@@ -158,7 +198,9 @@ def _line(chance: Random) -> str:
         return f"wait {chance.choice(('', 'until '))}{amount(chance, 's', 'ms')}"
     if kind == 8:
         return f"greet {chance.choice(AIMS)}, warmth {amount(chance, '%')}"
-    return chance.choice(("nod", "shake 30%", "tilt left", "blink", "wink right", "view ada 180%", "background #fff000", "life calm"))
+    return chance.choice(
+        ("nod", "shake 30%", "tilt left", "blink", "wink right", "view ada 180%", "background #fff000", "life calm")
+    )
 
 
 # ------------------------------------------------------------------------------------------------ too much of one thing
@@ -179,7 +221,9 @@ def _looks_by_repeat(count: int, chance: Random) -> str:
 
 
 def _nested(count: int, chance: Random) -> str:
-    opening = chance.choice(("repeat 2 times:", "together:", "in turn:", "choose:", "at 1s:", "repeat for 9s:", "face:"))
+    opening = chance.choice(
+        ("repeat 2 times:", "together:", "in turn:", "choose:", "at 1s:", "repeat for 9s:", "face:")
+    )
     depth = min(count, 240)
     return "".join("    " * level + opening + "\n" for level in range(depth)) + "    " * depth + "nod\n"
 
@@ -219,7 +263,9 @@ def _chain(count: int, chance: Random) -> str:
 
 def _arguments(count: int, chance: Random) -> str:
     """Actions that hand an argument on, each time more of it."""
-    rows = [f"action b{number}(x):\n    b{number + 1} x {chance.choice(('', '+ x', '* 2'))}\n" for number in range(count)]
+    rows = [
+        f"action b{number}(x):\n    b{number + 1} x {chance.choice(('', '+ x', '* 2'))}\n" for number in range(count)
+    ]
     return "".join(rows) + f"action b{count}(x):\n    wait x\nb0 1ms\n"
 
 
@@ -231,7 +277,8 @@ def _brackets(count: int, chance: Random) -> str:
 
 def _sum(count: int, chance: Random) -> str:
     term = chance.choice(("smile 1%", "AU4", "1s", "head.roll 2deg", "2", "nothing"))
-    return f"{chance.choice(('show', 'add', 'wait', 'let x ='))} {chance.choice((' + ', ' - ', ' * ', ', ', ' ')).join([term] * count)}\n"
+    between = chance.choice((" + ", " - ", " * ", ", ", " "))
+    return f"{chance.choice(('show', 'add', 'wait', 'let x ='))} {between.join([term] * count)}\n"
 
 
 def _events(count: int, chance: Random) -> str:
@@ -239,7 +286,9 @@ def _events(count: int, chance: Random) -> str:
     end = chance.choice(("resume", "restart", "stop"))
     gap = chance.choice((0.01, 0.3, 2.0))
     say = chance.choice(('say "Stop it, please."', "nod", "look at visitor for 1s", "wait 1s"))
-    scene = chance.choice(('say "A long line that is broken off again and again."', "repeat 50 times:\n    look left\n    nod\n"))
+    scene = chance.choice(
+        ('say "A long line that is broken off again and again."', "repeat 50 times:\n    look left\n    nod\n")
+    )
     happen = "".join(f'event heard "no" at {number * gap:.2f}s\n' for number in range(count))
     more = chance.choice(("", "when person nearest:\n    blink\n", 'when heard "no":\n    look away for 300ms\n'))
     people = "event visitor arrives at 0s\nevent lamp arrives at 1s\n" if more else ""
@@ -254,19 +303,39 @@ def _same_line(count: int, chance: Random) -> str:
 def _labels(count: int, chance: Random) -> str:
     """Marks that hang on the next, forwards, backwards or in a circle."""
     way = chance.choice((1, -1))
-    rows = [f"at a{(number + way) % max(1, count)}.{chance.choice(('end', 'start'))} + 1ms: nod as a{number}\n" for number in range(count)]
+    rows = [
+        f"at a{(number + way) % max(1, count)}.{chance.choice(('end', 'start'))} + 1ms: nod as a{number}\n"
+        for number in range(count)
+    ]
     return "".join(rows[: chance.choice((count, max(1, count - 1)))]) + f"nod as a{count - 1}\n"
 
 
 def _names(count: int, chance: Random) -> str:
-    kind = chance.choice(("face {} = woman", "target {} at 10deg 0deg 1m", "let {} = 1s", "expression {} = smile", "life {} = calm"))
+    kind = chance.choice(
+        ("face {} = woman", "target {} at 10deg 0deg 1m", "let {} = 1s", "expression {} = smile", "life {} = calm")
+    )
     used = chance.random() < 0.5
     rows = [kind.format(f"name{number if chance.random() < 0.95 else 0}") for number in range(count)]
     return "\n".join(rows) + "\n" + "".join(f"wait nmae{number}\n" for number in range(count) if used)
 
 
 def _long_text(count: int, chance: Random) -> str:
-    piece = chance.choice(("word ", "[nod]a ", "[smile 10%]b[/] ", "*c* | ", "长", "[wait 1s]", "[", "\\[", "[[/]", "1234567890", "a" * 40, "*"))
+    piece = chance.choice(
+        (
+            "word ",
+            "[nod]a ",
+            "[smile 10%]b[/] ",
+            "*c* | ",
+            "长",
+            "[wait 1s]",
+            "[",
+            "\\[",
+            "[[/]",
+            "1234567890",
+            "a" * 40,
+            "*",
+        )
+    )
     return f'say "{piece * count}"\n'
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
+from itertools import islice
 
 from facescript.ir.play import Event, EventPattern, Play, Reaction
 from facescript.ir.wording import words
@@ -52,18 +54,19 @@ class Events:
             if event.person is not None and event.kind in ("arrives", "leaves")
         )
 
-    def triggers(self, presence: Presence, until: float) -> list[Trigger]:
-        """The reactions that start before `until`, in the order they start."""
+    def triggers(self, presence: Presence, until: float, most: int) -> list[Trigger]:
+        """The reactions that start before `until`, in the order they start; no more than `most` are looked for."""
         happenings = [event for event in self.scripted if event.time < until]
         if any(reaction.event.kind == "nearest" for reaction in self.play.reactions):
             happenings += [Happening("nearest", time, person=person) for time, person in presence.nearest(until)]
         happenings.sort(key=lambda event: event.time)
-        return [
+        started = (
             Trigger(event.time, number, reaction, event.person)
             for event in happenings
             for number, reaction in enumerate(self.play.reactions)
             if heeds(reaction.event, event)
-        ]
+        )
+        return list(islice(started, most))
 
     def _report(self, faults: Faults, happenings: list[Happening]) -> None:
         long = self.play.film.long
@@ -84,6 +87,7 @@ def heeds(pattern: EventPattern, event: Happening) -> bool:
     return pattern.kind == event.kind and _bare(pattern.text) == _bare(event.text)
 
 
+@lru_cache(maxsize=4096)
 def _bare(text: str) -> tuple[str, ...] | str:
     """The words of a text; a text without words, such as the name of a key, as it is."""
     return tuple(bare for bare, _, _ in words(text)) or text

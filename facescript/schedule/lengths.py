@@ -19,6 +19,7 @@ from facescript.ir.acts import (
     View,
     Wait,
 )
+from facescript.ir.values import AtTarget
 from facescript.schedule.defaults import Concrete, seconds
 from facescript.schedule.facts import Facts, Hold
 from facescript.schedule.presence import Presence
@@ -28,6 +29,9 @@ from facescript.speech.model import Spoken
 
 LANDING = 0.1
 """Seconds until the eyes are there, before the first plan of a look is made."""
+
+PERSONS, TERMS = 3, 8
+"""To look how far so many persons are, and to time so many terms of a sum, costs as much as a statement."""
 
 PAUSE = 0.25
 """Seconds between a line and a line that directly follows it."""
@@ -46,6 +50,7 @@ class Lengths:
         start = step.time(START)
         made = self.concrete.verb(verb, step.place)
         step.verb = verb = ended(verb, made, start, step.until)
+        step.root.maker.take(step, self._weight(verb, start))
         if isinstance(verb, (Look, Glance, Show, Add, Gesture)) and verb.timing.lasting is not None:
             return seconds(verb.timing.lasting)
         if isinstance(verb, Look):
@@ -53,13 +58,20 @@ class Lengths:
         if isinstance(verb, (Show, Add, Drop)):
             return seconds(verb.timing.over)
         if isinstance(verb, Scan):
-            stops = self.presence.size(verb.crowd, start)
-            step.root.maker.take(step, stops)
-            return seconds(verb.dwell) * stops
+            return seconds(verb.dwell) * self.presence.size(verb.crowd, start)
         if isinstance(verb, (SetBackground, View, SetLife)):
             return seconds(verb.over)
         assert isinstance(verb, Wait)
         return seconds(verb.duration)
+
+    def _weight(self, verb: Verb, start: float) -> int:
+        """As how many more statements a verb counts: a stop of a scan is one, and so are a few of a crowd of which the
+        nearest is sought, and several terms of a sum."""
+        if isinstance(verb, Scan):
+            return self.presence.size(verb.crowd, start)
+        if isinstance(verb, (Look, Glance)) and isinstance(verb.aim, AtTarget) and verb.aim.member == "nearest":
+            return self.presence.size(verb.aim.name, start) // PERSONS
+        return len(verb.mix.terms) // TERMS if isinstance(verb, (Show, Add)) else 0
 
 
 def ended(verb: Verb, made: Verb, start: float, until: float) -> Verb:

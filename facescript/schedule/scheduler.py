@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from facescript.diagnostics.model import Diagnostics
-from facescript.ir.acts import Sequence
+from facescript.ir.acts import Glance, Look, Scan, Sequence
 from facescript.ir.play import Face, Play
 from facescript.schedule.conflicts import left_out, lines_together, nothing_dropped, shows_together
 from facescript.schedule.deeds import Deed
@@ -16,7 +16,7 @@ from facescript.schedule.events import Events
 from facescript.schedule.facts import Facts
 from facescript.schedule.faults import Faults, tell
 from facescript.schedule.labels import Labels, nodes
-from facescript.schedule.lengths import Lengths
+from facescript.schedule.lengths import PERSONS, Lengths
 from facescript.schedule.looks import Gaze, landings, scene_at
 from facescript.schedule.presence import Presence
 from facescript.schedule.round import Round
@@ -26,24 +26,25 @@ from facescript.schedule.steps import NEVER, Key, Maker, TooMany
 from facescript.schedule.voices import Voices
 from facescript.schedule.writing import Writing
 from facescript.space.plan import GazePlan
+from facescript.space.planner import TooMuchGaze
 from facescript.space.room import Room
 from facescript.speech.model import VoiceBox
 
 MOST = 20_000
 """Statements that a script may come to as it is played: an hour and a half with four a second."""
 
-WORK, EACH = 75_000, 30
+WORK, EACH = 60_000, 30
 """What all rounds together may cost, in statements solved (some ten microseconds): so much, and more for each
 statement that a play has. Scripts come to rest after two to five rounds."""
 
 LOOK, REACTION = 4, 5
 """What the plan of a look and the start of a reaction cost, in statements."""
 
-PERSONS = 3
-"""To look how far so many persons are costs as much as a statement."""
-
 LONGEST = 4 * 3600.0
 """Seconds of a film."""
+
+MOVES = 4
+"""So many movements of eyes and head may be worked out in all, for each statement that may be solved."""
 
 RESTLESS = 12
 """After so many rounds without rest it is the script that has none; after fewer it is too long."""
@@ -101,6 +102,7 @@ class _Scheduler:
         """Solve until nothing new is learned; None where an error stands in the way."""
         facts, work, rounds, last = Facts(), 0, 0, 0
         solved, most = None, WORK + EACH * sum(1 for block in self._blocks() for _ in nodes(block))
+        self.room.left = MOVES * most
         while work + last <= most:
             solved, rounds = self._round(facts), rounds + 1
             last = MOST - solved.maker.left + REACTION * len(solved.reactions) + 1
@@ -109,7 +111,10 @@ class _Scheduler:
                 return None
             learned = self._heard(solved, facts)
             if learned == facts:
-                learned = replace(facts, looks=self._seen(solved))
+                try:
+                    learned = replace(facts, looks=self._seen(solved))
+                except TooMuchGaze:
+                    break
                 last += LOOK * sum(map(len, self.plans.values()))
             if learned == facts:
                 return solved
@@ -126,7 +131,8 @@ class _Scheduler:
         if solved is None or rounds >= RESTLESS:
             self.faults.add("FS419", first)
             return
-        counts = {"statements": len(solved.done), "looks": len(self.plans), "reactions": len(solved.reactions)}
+        looks = sum(isinstance(deed.verb, (Look, Glance, Scan)) for deed in solved.done)
+        counts = {"statements": len(solved.done), "looks": looks, "reactions": len(solved.reactions)}
         self.faults.add("FS422", first, **counts)
 
     def _round(self, facts: Facts) -> Round:
@@ -136,7 +142,8 @@ class _Scheduler:
         times = Times(Lengths(self.concrete, presence, facts), self.voices, self.labels, self.faults)
         long = NEVER if self.play.film.long is None else self.play.film.long
         solved = Round(self.play, times, Maker(self.play.film.seed, MOST), long)
-        solved.run(events.triggers(presence, min(long, max(facts.until, events.last))))
+        until = min(long, max(facts.until, events.last))
+        solved.run(events.triggers(presence, until, MOST + 1))
         return solved
 
     def _heard(self, solved: Round, facts: Facts) -> Facts:

@@ -19,6 +19,10 @@ from facescript.space.shift import Shifter, Wish, number
 Key = tuple[int, int]
 
 
+class TooMuchGaze(Exception):
+    """More movements than a room has `left` would have to be worked out."""
+
+
 @dataclass(frozen=True, slots=True)
 class GazeRequest:
     """A look, a glance or one stop of a scan, with all draws drawn; seconds from the film's start.
@@ -53,7 +57,8 @@ def plan_gaze(
     """The shifts of every request by its key, in time; a shift back, where there is one, is the last of its request.
 
     `scenes` are the scenes' starts. Every scene begins with eyes and head at the camera. The later start wins the
-    parts it uses; when it lets go, the part's older owner has it again (rule 5 of the blending law).
+    parts it uses; when it lets go, the part's older owner has it again (rule 5 of the blending law). Raises
+    `TooMuchGaze`.
     """
     plans: dict[Key, tuple[GazePlan, ...]] = {}
     for scene in sorted({request.scene for request in requests}):
@@ -122,6 +127,9 @@ class _Scene:
                 self._let_go(time, request)
             else:
                 self._begin(time, request)
+            if self.shifter.worked > self.room.left:
+                raise TooMuchGaze
+        self.room.left -= self.shifter.worked
         self._judge("eyes", inf)
         self._judge("head", inf)
         return {key: tuple(plans) for key, plans in self.plans.items()}

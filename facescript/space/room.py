@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import atan2, cos, degrees, hypot, radians, sin
+from math import atan2, cos, degrees, hypot, inf, radians, sin
 
 from facescript.ir.play import Crowd, Face, Film, FixedTarget, MovingTarget, Target
 from facescript.ir.values import (
@@ -48,12 +48,14 @@ class Sight:
 
 
 class Room:
-    """A film's faces and targets. Times are seconds of the scene's own clock."""
+    """A film's faces and targets. Times are seconds of the scene's own clock. `left` is how many movements
+    may still be worked out for the plans of gaze made in it."""
 
     def __init__(self, film: Film, faces: Sequence[Face], targets: Sequence[Target]) -> None:
         self.film = film
         self.layout = lay_out(film, faces)
         self.targets: Mapping[str, Target] = {target.name: target for target in targets}
+        self.left = inf
         self._eyes: dict[str, tuple[float, float]] = {}
         self._still: dict[tuple[str, Aim], Sight] = {}
         self._paths: dict[str, Path] = {}

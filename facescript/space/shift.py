@@ -34,6 +34,12 @@ SEEN = 0.5
 WAIT_STEP, WAIT_STEPS = 0.004, 500
 """Steps in which the moment is sought when the waiting eyes have the target, s; longer where they would be more."""
 
+WAIT_STRIDE = 16
+"""As many steps are taken at once at first."""
+
+FOLLOWING = 5
+"""A movement that follows a target is so much dearer to work out than one to a place."""
+
 MOST_LAID = 32
 """As many movements may lie over each other; older ones of a part are taken to be done."""
 
@@ -52,6 +58,7 @@ class Move:
     onset: float
     done: float
     goal: Callable[[float], Direction]
+    cost: int = 1
 
 
 class Past:
@@ -60,6 +67,7 @@ class Past:
     def __init__(self, first: Move, part: Callable[[float, float], float]) -> None:
         self.moves = [first]
         self.part = part
+        self.worked = 0
 
     def drop_pending(self, time: float) -> None:
         """Forget the movements that would begin at `time` or later: they are overtaken before they begin."""
@@ -72,6 +80,7 @@ class Past:
         last = max(0, first - MOST_LAID)
         while first > last and time < self.moves[first].done:
             first -= 1
+        self.worked += sum(move.cost for move in self.moves[first:])
         yaw, pitch = self.moves[first].goal(time)
         for move in self.moves[first + 1 :]:
             if time > move.onset:
@@ -111,10 +120,15 @@ class Shifter:
         self.eyes = Past(Move(-inf, -inf, rest), saccade_part)
         self.head = Past(Move(-inf, -inf, lambda _: ahead), lambda part, _: minimum_jerk(part))
 
+    @property
+    def worked(self) -> int:
+        """How many movements were worked out so far."""
+        return self.eyes.worked + self.head.worked
+
     def plan(self, time: float, wish: Wish) -> GazePlan:
         """The shift that begins at `time` (scene's clock), laid over those planned before it."""
         eyes, head = wish.parts != "head only", wish.parts != "eyes only"
-        target = self._direction(wish.aim)
+        target, cost = self._direction(wish.aim), FOLLOWING if self.room.moving(wish.aim) else 1
         at = target(time)
         self._drop_pending(time, eyes, head)
         share, start = self._share(wish, at, self.head.goal(time))
@@ -123,11 +137,10 @@ class Shifter:
         turn = _distance(goal, self.head.at(time)) if head else 0.0
         times = _times(time, wish, amplitude, turn)
         if eyes:
-            self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target))
+            self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target, cost))
         if head:
-            moves = self.room.moving(wish.aim)
-            follows = _once(partial(_head_at, target, share, start)) if moves else lambda _: goal
-            self.head.moves.append(Move(times.head_onset, times.head_done, follows))
+            follows = _once(partial(_head_at, target, share, start)) if cost > 1 else lambda _: goal
+            self.head.moves.append(Move(times.head_onset, times.head_done, follows, cost))
         landed = self._landed(times, target) if eyes else times.head_done
         return GazePlan(
             aim=wish.aim,
@@ -200,11 +213,19 @@ class Shifter:
 
     def _landed(self, times: Times, target: Callable[[float], Direction]) -> float:
         """When the eyes have the target, or are as near as they get: they may have to wait for the head."""
-        time = times.eye_done
-        step = max(WAIT_STEP, (times.head_done - time) / WAIT_STEPS)
-        while time < times.head_done and extent(in_head(target(time), self.head.at(time))) > 1.0:
-            time = min(times.head_done, time + step)
+        time, done = times.eye_done, times.head_done
+        step = max(WAIT_STEP, (done - time) / WAIT_STEPS)
+        if time >= done or not self._waits(target, time):
+            return time
+        while time + WAIT_STRIDE * step < done and self._waits(target, time + WAIT_STRIDE * step):
+            time += WAIT_STRIDE * step
+        while time < done and self._waits(target, time):
+            time = min(done, time + step)
         return time
+
+    def _waits(self, target: Callable[[float], Direction], time: float) -> bool:
+        """Whether the target is out of the eyes' reach."""
+        return extent(in_head(target(time), self.head.at(time))) > 1.0
 
 
 @dataclass(frozen=True, slots=True)
