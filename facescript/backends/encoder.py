@@ -9,7 +9,7 @@ import threading
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
-from queue import Queue
+from queue import SimpleQueue
 from types import TracebackType
 from typing import IO
 
@@ -46,8 +46,9 @@ class Encoder:
             self._process = subprocess.Popen(command, stdin=pipe, stdout=quiet, stderr=pipe, start_new_session=True)
         except OSError as fault:
             raise JobFailure(f"ffmpeg cannot be run ({fault.strerror})") from None
-        self._waiting: Queue[Bytes | None] = Queue()
-        self._free: Queue[Bytes | None] = Queue()
+        # Simple queues, because they alone stay whole when an interrupt comes while one is being used.
+        self._waiting: SimpleQueue[Bytes | None] = SimpleQueue()
+        self._free: SimpleQueue[Bytes | None] = SimpleQueue()
         for _ in range(AHEAD):
             self._free.put(None)
         _widen(self._process.stdin)

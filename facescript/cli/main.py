@@ -16,6 +16,17 @@ INTERRUPTED = 130
 """The exit code of a build that was interrupted."""
 
 
+def program() -> NoReturn:
+    """The installed program: `main`, and then nothing that a late interrupt could disturb."""
+    try:
+        code = main()
+    except KeyboardInterrupt:
+        code = INTERRUPTED
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
+    sys.exit(code)
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; returns its exit code: 0 done, 1 faults in the script, 2 cannot run."""
     words = sys.argv[1:] if arguments is None else arguments
@@ -61,4 +72,4 @@ def _terminated(number: int, frame: FrameType | None) -> NoReturn:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    program()

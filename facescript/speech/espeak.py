@@ -101,6 +101,7 @@ class Espeak:
             process = self._running()
             late = threading.Event()
             clock = threading.Timer(self._seconds, _end, (process, late))
+            clock.daemon = True  # an interrupt before it is cancelled must not keep the program waiting
             clock.start()
             try:
                 head, pcm = _exchange(process, request)
