@@ -71,6 +71,8 @@ def timing(line: Line) -> Timing:
         clause = f"did you mean `{candidate}`?" if candidate else f"there are {known}."
         raise line.project.refuse("FS329", ease.span, name=ease.text, what="curve", meant=clause)
     over, lasting, back = (line.amount(name, TIME) for name in ("over", "for", "back"))
+    if back is not None and lasting is None:
+        raise line.project.refuse("FS333", line.spans["back"])
     return Timing(over, lasting, back, ease.text if ease else None)
 
 

@@ -86,6 +86,7 @@ MODIFIERS: dict[str, Modifier] = _rows(
 GAZE = ("eyes then head", "head then eyes", "eyes only", "head only", "head", "speed", "latency")
 KNOBS = ("blink", "brows", "sway", "nods", "saccades", "avert")
 CHANGE = ("over", "for", "back", "ease", "as")
+LASTING = ("over", "for", "as")
 VOICE = ("rate", "pitch", "volume")
 
 
@@ -94,8 +95,8 @@ def _verbs(*rows: Verb) -> dict[str, Verb]:
 
 
 VERBS: dict[str, Verb] = _verbs(
-    Verb("look", "look at TARGET", (*GAZE, *CHANGE), "eyes then head", "turns the gaze to a target and stays on it"),
-    Verb("glance", "glance TARGET", (*GAZE, *CHANGE), "for 500ms", "looks there and back"),
+    Verb("look", "look at TARGET", (*GAZE, *LASTING), "eyes then head", "turns the gaze to a target and stays on it"),
+    Verb("glance", "glance TARGET", (*GAZE, *LASTING), "for 500ms", "looks there and back"),
     Verb(
         "scan",
         "scan CROWD, TIME each",
@@ -106,13 +107,11 @@ VERBS: dict[str, Verb] = _verbs(
     Verb("show", "show SUM", CHANGE, "until the next `show`", "makes a sum the face's base expression"),
     Verb("add", "add SUM", CHANGE, "until `drop`", "lays a sum on top of what is shown"),
     Verb("drop", "drop NAME", ("over", "ease", "as"), "", "lets go of an expression or of a named statement"),
-    Verb("nod", "nod PERCENTAGE", ("for", "ease", "as"), "100%", "nods the head"),
-    Verb("shake", "shake PERCENTAGE", ("for", "ease", "as"), "100%", "shakes the head"),
-    Verb(
-        "tilt", "tilt left|right PERCENTAGE", ("for", "ease", "as"), "100%", "tilts the head to its own left or right"
-    ),
-    Verb("blink", "blink PERCENTAGE", ("for", "ease", "as"), "100%", "blinks once"),
-    Verb("wink", "wink left|right PERCENTAGE", ("for", "ease", "as"), "100%", "winks with its own left or right eye"),
+    Verb("nod", "nod PERCENTAGE", ("for", "as"), "100%", "nods the head"),
+    Verb("shake", "shake PERCENTAGE", ("for", "as"), "100%", "shakes the head"),
+    Verb("tilt", "tilt left|right PERCENTAGE", ("for", "as"), "100%", "tilts the head to its own left or right"),
+    Verb("blink", "blink PERCENTAGE", ("for", "as"), "100%", "blinks once"),
+    Verb("wink", "wink left|right PERCENTAGE", ("for", "as"), "100%", "winks with its own left or right eye"),
     Verb("say", 'say "TEXT"', (*VOICE, "from", "timed", "as"), "the face's voice", "speaks a text"),
     Verb("play", 'play "FILE"', ("as",), "", "performs recorded channels"),
     Verb("wait", "wait TIME", ("as",), "", "lets time pass; `wait until TIME` waits for a moment"),

@@ -241,4 +241,12 @@ VALUES: tuple[Entry, ...] = (
         "target bird moves\nlook at bird\n",
         "target bird moves\n    0s -80cm 0cm 2m\n    2s 80cm 0cm 2m\nlook at bird\n",
     ),
+    Entry(
+        "FS333",
+        "back-without-for",
+        Severity.ERROR,
+        "`back in` says how long letting go takes after `for TIME`; there is none here.",
+        "show smile back in 1s\n",
+        "show smile for 2s back in 1s\n",
+    ),
 )
