@@ -33,7 +33,7 @@ from facescript.speech.model import VoiceBox
 MOST = 20_000
 """Statements that a script may come to as it is played: an hour and a half with four a second."""
 
-WORK, EACH = 60_000, 30
+WORK, EACH = 75_000, 30
 """What all rounds together may cost, in statements solved (some ten microseconds): so much, and more for each
 statement that a play has. Scripts come to rest after two to five rounds."""
 
@@ -43,7 +43,7 @@ LOOK, REACTION = 4, 5
 LONGEST = 4 * 3600.0
 """Seconds of a film."""
 
-MOVES = 4
+MOVES = 8
 """So many movements of eyes and head may be worked out in all, for each statement that may be solved."""
 
 RESTLESS = 12

@@ -37,7 +37,7 @@ WAIT_STEP, WAIT_STEPS = 0.004, 500
 WAIT_STRIDE = 16
 """As many steps are taken at once at first."""
 
-FOLLOWING = 5
+FOLLOWING = 3
 """A movement that follows a target is so much dearer to work out than one to a place."""
 
 MOST_LAID = 32

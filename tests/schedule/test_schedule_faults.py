@@ -147,3 +147,34 @@ def test_a_long_line_is_in_the_way_of_all_that_follow() -> None:
     done = scheduled('say "one two three four five"\nat 300ms: say "six"\nat 1.2s: say "seven"\n')
     first = 'say "one two three four five"'
     assert places(done, "FS403") == [('say "six"', [first]), ('say "seven"', [first])]
+
+
+CROWD = f"target c of {' (0cm 0cm 1m)' * 300}\n\n"
+VISITOR = "target visitor moves\n    0s -80cm 0cm 20cm\n    9s 80cm 0cm 20cm\n\n"
+CALLS = "".join(f'event heard "no" at {number * 0.3:.1f}s\n' for number in range(2000))
+SAID = 'say "one two three four five"\n\nwhen heard "no":\n    say "six seven eight nine"\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("repeat 6000 times:\n    look left 20deg\n    look right 20deg\n", "FS422"),
+        ("repeat 2000 times:\n    look left 80deg, speed 1%\n    look right 80deg, speed 1%\n", "FS422"),
+        (f"{VISITOR}repeat 9000 times:\n    look at visitor for 1s\n", "FS422"),
+        (f"{SAID}    restart\n\n{CALLS}", "FS422"),
+        (f"{SAID}\n{CALLS}", "FS422"),
+        (f"{CROWD}scene s:\n    repeat 1000 times: look at c.nearest\n", "FS412"),
+        (f"repeat 5000 times:\n    show {' + '.join(['smile 1%'] * 500)}\n", "FS412"),
+        ("when signal 'a':\n    nod\n".replace("'", '"') * 400 + "nod\n\n" + 'event signal "a" at 1s\n' * 400, "FS412"),
+        ("repeat 100 times: wait 1000s\n", "FS423"),
+        ("nod for 14401s\n", "FS423"),
+    ],
+)
+def test_what_is_too_much_is_told_before_it_takes_long(text: str, code: str) -> None:
+    assert scheduled(text).codes == [code]
+
+
+def test_many_looks_around_a_moving_target_are_timed() -> None:
+    done = scheduled(f"{VISITOR}repeat 500 times:\n    look at visitor\n    look at camera for 300ms\n")
+    assert done.codes == []
+    assert len(done.solved.acts) == 1000
