@@ -263,3 +263,23 @@ def test_a_saccade_runs_from_0_to_1_and_meets_in_the_middle() -> None:
 def test_no_head_turns_faster_than_its_ceiling() -> None:
     assert head_time(20) == pytest.approx(0.39)
     assert 1.875 * 90 / head_time(90) == pytest.approx(185)
+
+
+def test_a_head_is_judged_only_while_it_has_the_target() -> None:
+    """The visitor passes behind the picture's plane at 5 s, where no head can follow."""
+    long = plans(look(0, "visitor", 0.0, "head only"))
+    short = plans(look(0, "visitor", 0.0, "head only"), look(1, "lamp", 0.5, "head only"))
+    assert long[0][0].unreachable > 40.0
+    assert short[0][0].unreachable == 0.0
+
+
+def test_what_lies_under_many_movements_is_worked_out_all_the_same() -> None:
+    requests = [look(order, Towards(20.0 - order % 41, 0.0), 0.02 * order, over=60.0) for order in range(300)]
+    found = plans(*requests)
+    assert all(0.0 <= found[order][0].amplitude <= 60.0 for order in range(300))
+
+
+def test_the_eyes_have_a_target_at_the_reach_when_the_head_lets_them() -> None:
+    """The waiting is sought in strides and then in steps: the eyes are there within a step, not before."""
+    (plan,) = plans(look(0, Towards(80.0, 0.0), 0.0))[0]
+    assert plan.eye_done < plan.landed < plan.head_done
