@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -88,7 +88,3 @@ class Job:
             return np.array([self.at])
         count = max(1, int(np.ceil((self.end - self.start) * self.fps - 1e-9)))
         return self.start + np.arange(count) / self.fps
-
-    def moment(self, at: float) -> Job:
-        """The same job for one moment."""
-        return replace(self, at=at)

@@ -11,6 +11,6 @@ from facescript.schedule.explain import as_objects, explain
 
 
 def write_json(job: Job, path: Path) -> None:
-    """The play as `dump` has it (`version` and `play`), with `times` (what `explain --json` prints) and its `schema`."""
+    """The play as `dump` has it (`version`, `play`), with `times` (what `explain --json` prints) and its `schema`."""
     whole = json.loads(dump(job.play)) | {"times": as_objects(explain(job.score)), "schema": schema()}
     path.write_text(json.dumps(whole, ensure_ascii=False, indent=1) + "\n", "utf-8", newline="\n")

@@ -20,6 +20,9 @@ from facescript.cli.settings import count, seconds
 from facescript.compile import Compiled
 from facescript.world import World, WorldFailure
 
+MOST_JOBS = 64
+"""Processes that draw at once, whatever is asked for."""
+
 
 def run(options: argparse.Namespace) -> int:
     """0 made, 1 faults (nothing is written then). Raises `OptionFault`."""
@@ -32,7 +35,8 @@ def run(options: argparse.Namespace) -> int:
     code = show(compiled.diagnostics, hints=False)
     if compiled.score is None or compiled.play is None:
         return code or FAULTS
-    return _make(_job(options, compiled, world), wanted, options.quiet)
+    progress = Progress(options.quiet)
+    return _make(_job(options, compiled, world, progress), wanted, progress)
 
 
 def _targets(options: argparse.Namespace) -> list[str]:
@@ -64,30 +68,39 @@ def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None
             raise OptionFault("FS905", option="%d", fitting=".png", suffix=backend.suffix)
 
 
-def _job(options: argparse.Namespace, compiled: Compiled, world: World) -> Job:
+def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress: Progress) -> Job:
     """The stretch and the manner of the film. Raises `OptionFault` where nothing lies in the stretch."""
     play, score = compiled.play, compiled.score
     assert play is not None and score is not None
     if options.draft:
         film = replace(play.film, width=play.film.width // 4 * 2, height=play.film.height // 4 * 2)
         play, score = replace(play, film=film), replace(score, film=film)
-    start = seconds("--from", options.start) or 0.0
-    end = min(seconds("--to", options.end) or score.duration, score.duration)
-    at = seconds("--at", options.at)
-    if start >= end or (at is not None and at > score.duration):
-        raise OptionFault("FS906", start=start if at is None else at, end=end if at is None else at,
-                          duration=score.duration)  # fmt: skip
+    start, end, at = _stretch(options, score.duration)
     jobs = count("--jobs", options.jobs, "2") if options.jobs else 1
-    return Job(play, score, world.read, start, end, at, max(1, jobs))
+    return Job(play, score, world.read, start, end, at, min(max(1, jobs), MOST_JOBS), progress.step)
 
 
-def _make(job: Job, wanted: list[tuple[str, Backend]], silent: bool) -> int:
+def _stretch(options: argparse.Namespace, duration: float) -> tuple[float, float, float | None]:
+    """What `--from`, `--to` and `--at` ask for, in seconds. Raises `OptionFault` where that is not in the film."""
+    if duration <= 0:
+        raise OptionFault("FS911", name=options.script)
+    start = seconds("--from", options.start) or 0.0
+    end = min(seconds("--to", options.end) or duration, duration)
+    at = seconds("--at", options.at)
+    if at is not None and at > duration:
+        raise OptionFault("FS906", asked=f"`--at {options.at}`", duration=duration)
+    if start >= end:
+        raise OptionFault("FS906", asked="What `--from` and `--to` ask for", duration=duration)
+    return start, end, at
+
+
+def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> int:
     target = ""
     try:
         with outputs() as batch:
             for target, backend in wanted:
-                with Progress(target, silent) as progress:
-                    _write(replace(job, progress=progress.step), target, backend, batch)
+                with progress.of(target):
+                    _write(job, target, backend, batch)
     except JobFailure as fault:
         return refuse("FS907", path=target, reason=fault.args[0])
     except OSError as fault:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sys
 import time
-from types import TracebackType
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 WIDTH = 30
 EVERY = 0.1
@@ -12,19 +13,22 @@ EVERY = 0.1
 
 
 class Progress:
-    """A bar for one output; `step` is called with (done, total)."""
+    """A bar for one output after another; `step` is called with (done, total)."""
 
-    def __init__(self, name: str, silent: bool) -> None:
-        self.name = name
+    def __init__(self, silent: bool) -> None:
+        self.name = ""
         self.shown = not silent and sys.stderr.isatty()
         self.last = 0.0
 
-    def __enter__(self) -> Progress:
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, at: TracebackType | None) -> None:
-        if self.shown and self.last:
-            sys.stderr.write("\n")
+    @contextmanager
+    def of(self, name: str) -> Iterator[None]:
+        """While this output is made the bar bears its name."""
+        self.name, self.last = name, 0.0
+        try:
+            yield
+        finally:
+            if self.shown and self.last:
+                sys.stderr.write("\n")
 
     def step(self, done: int, total: int) -> None:
         """Draw the bar anew, not too often."""

@@ -147,7 +147,7 @@ def test_a_film_is_what_its_frames_are(job: Job, tmp_path: Path) -> None:
 
 
 def test_png_is_the_moment_asked_for(job: Job, tmp_path: Path) -> None:
-    stills.write_png(job.moment(1.0), tmp_path / "one.png")
+    stills.write_png(replace(job, at=1.0), tmp_path / "one.png")
     with Image.open(tmp_path / "one.png") as picture:
         assert picture.size == (97, 54)
         seen = np.asarray(picture)
@@ -156,7 +156,7 @@ def test_png_is_the_moment_asked_for(job: Job, tmp_path: Path) -> None:
 
 
 def test_colours_are_those_of_the_script(job: Job, tmp_path: Path) -> None:
-    stills.write_png(job.moment(0.0), tmp_path / "one.png")
+    stills.write_png(replace(job, at=0.0), tmp_path / "one.png")
     write_gif(job, tmp_path / "film.gif")
     write_mp4(job, tmp_path / "film.mp4")
     first = [

@@ -16,7 +16,9 @@ from facescript.diagnostics.model import Diagnostic, Fix, Related
 from facescript.text import Span
 
 CATALOGUE: dict[str, Entry] = {
-    entry.code: entry for family in (SYNTAX, NAMES, VALUES, TIME, SPEECH, GAZE, FILES, LATER, COMMAND) for entry in family
+    entry.code: entry
+    for family in (SYNTAX, NAMES, VALUES, TIME, SPEECH, GAZE, FILES, LATER, COMMAND)
+    for entry in family
 }
 
 
