@@ -1,4 +1,4 @@
-"""The catalogue of diagnostics: every code with its sentence, a bad and a good example; makes a diagnostic of a code."""
+"""The catalogue of diagnostics: each code with its sentence, a bad and a good example; makes a diagnostic of a code."""
 
 from __future__ import annotations
 

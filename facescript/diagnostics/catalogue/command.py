@@ -102,7 +102,7 @@ COMMAND: tuple[Entry, ...] = (
         "`facescript {command}` is part of the language's design and not in this version.",
         HELLO,
         HELLO,
-        "`build`, `check`, `explain`, `fmt`, `list` and `new` run; the others are named so that scripts may be planned.",
+        "`build`, `check`, `explain`, `fmt`, `list` and `new` run; the others are named so that one may plan.",
         stage="command",
         command=("preview", "script.face"),
     ),

@@ -13,7 +13,7 @@ SPEECH: tuple[Entry, ...] = (
         "The voice cannot speak this line: {reason}.",
         'face ada = woman, voice en-uk\n\nsay "Hello."\n',
         'face ada = woman, voice en-gb\n\nsay "Hello."\n',
-        "The voice does not exist, cannot run on this machine, or cannot speak as fast, slow, high or low as it is told. "
+        "The voice does not exist, cannot run on this machine, or cannot speak as fast, slow, high or low as told. "
         "`facescript list voices` shows the voices there are.",
         stage="build",
     ),
@@ -24,8 +24,8 @@ SPEECH: tuple[Entry, ...] = (
         "This reading cannot be spoken: {reason}.",
         'face mei = woman, voice cmn\n\nsay "他[read zhang]长[/]大了。"\n',
         'face mei = woman, voice cmn\n\nsay "他[read zhang3]长[/]大了。"\n',
-        "A reading is pinyin with tone numbers, a syllable a character, for Mandarin; kana for Japanese; `/IPA/` in the "
-        "sounds of the voice's language, or another spelling, for every other language.",
+        "A reading is pinyin with tone numbers, a syllable a character, for Mandarin; kana for Japanese; `/IPA/` in "
+        "the sounds of the voice's language, or another spelling, for every other language.",
     ),
     Entry(
         "FS503",
