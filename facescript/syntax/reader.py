@@ -132,8 +132,7 @@ class _BlockReader:
                 self.open.append(True)
                 return
         self.machine.restore(mark)
-        if self.before and _lacks_colon(self.before[0]):
-            self._add_colon(*self.before)
+        if self.before and _lacks_colon(self.before[0]) and self._add_colon(*self.before):
             self.open.append(True)
             return
         self.open.append(False)
@@ -151,17 +150,22 @@ class _BlockReader:
     def _margin(self, line: Line) -> tuple[int, int]:
         return self.faults.source.text.rfind("\n", 0, line.begin) + 1, line.begin
 
-    def _add_colon(self, header: Line, mark: Mark) -> None:
-        """Read the line above again with the colon that it lacks."""
+    def _add_colon(self, header: Line, mark: Mark) -> bool:
+        """Read the line above again with the colon that it lacks; whether it can be read so."""
         end = header.end
-        if not header.faulty:
-            report_no_colon(_after_colon(header)[0], header.tokens[-1], self.faults)
-            header.faulty = True
+        now = self.machine.mark()
         self.machine.restore(mark)
         tokens = header.tokens
         if [token[1] for token in tokens[-2:]] == ["in", "turn"]:
             tokens = [*tokens[:-2], ("IN_TURN", "in turn", tokens[-2][2], end)]
-        self.machine.run([*self._ended([*tokens, ("COLON", ":", end, end)]), self._mark("_INDENT")])
+        tokens = [*self._ended([*tokens, ("COLON", ":", end, end)]), self._mark("_INDENT")]
+        if self.machine.run(tokens) < len(tokens):
+            self.machine.restore(now)
+            return False
+        if not header.faulty:
+            report_no_colon(_after_colon(header)[0], header.tokens[-1], self.faults)
+            header.faulty = True
+        return True
 
     def _no_body(self) -> None:
         """Report a colon with nothing below it, and have the machine believe that there was a line."""

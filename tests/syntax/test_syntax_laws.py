@@ -185,3 +185,9 @@ def test_the_layout_keeps_meaning_and_comments_and_is_stable(text: str) -> None:
     assert format_source(Source("script.face", done)) == done
     assert "\n\n\n" not in done
     assert all(row == row.rstrip() for row in done.split("\n"))
+
+
+def test_a_line_that_was_mended_is_not_read_again_with_a_colon() -> None:
+    """`let x: times` is meant as `let x = times`, which no colon makes the head of a block."""
+    _, diagnostics = read("let x: times\n    wait 1s\n")
+    assert [item.code for item in diagnostics][:1] == ["FS124"]
