@@ -37,7 +37,7 @@ WORK, EACH = 75_000, 30
 """What all rounds together may cost, in statements solved (some ten microseconds): so much, and more for each
 statement that a play has. Scripts come to rest after two to five rounds."""
 
-LOOK, REACTION = 4, 5
+LOOK, REACTION = 5, 5
 """What the plan of a look and the start of a reaction cost, in statements."""
 
 LONGEST = 4 * 3600.0
@@ -45,6 +45,9 @@ LONGEST = 4 * 3600.0
 
 MOVES = 8
 """So many movements of eyes and head may be worked out in all, for each statement that may be solved."""
+
+STATEMENT = 20
+"""To work out so many movements costs as much as a statement."""
 
 RESTLESS = 12
 """After so many rounds without rest it is the script that has none; after fewer it is too long."""
@@ -100,7 +103,7 @@ class _Scheduler:
 
     def _rounds(self) -> Round | None:
         """Solve until nothing new is learned; None where an error stands in the way."""
-        facts, work, rounds, last = Facts(), 0, 0, 0
+        facts, work, rounds, last = Facts(), 0.0, 0, 0.0
         solved, most = None, WORK + EACH * sum(1 for block in self._blocks() for _ in nodes(block))
         self.room.left = MOVES * most
         while work + last <= most:
@@ -111,11 +114,12 @@ class _Scheduler:
                 return None
             learned = self._heard(solved, facts)
             if learned == facts:
+                left = self.room.left
                 try:
                     learned = replace(facts, looks=self._seen(solved))
                 except TooMuchGaze:
                     break
-                last += LOOK * sum(map(len, self.plans.values()))
+                last += LOOK * sum(map(len, self.plans.values())) + (left - self.room.left) // STATEMENT
             if learned == facts:
                 return solved
             facts, work = learned, work + last
