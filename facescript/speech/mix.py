@@ -20,7 +20,7 @@ KNEE = 0.8
 FULL = 32767.0
 
 BLOCK = 1 << 20
-"""Samples finished at once, so that nothing as long as the film is held twice in between."""
+"""Samples mixed at once, so that of what is as long as the film only the sound itself is held."""
 
 Samples = NDArray[np.float32]
 
@@ -49,28 +49,29 @@ class Lines(Protocol):
 
 def soundtrack(score: Lines) -> tuple[NDArray[np.int16], int]:
     """The sound of all lines, as long as the score: mono samples and their rate in Hz."""
-    track = np.zeros(round(score.duration * RATE), dtype=np.float32)
-    for line in score.lines:
-        _lay(track, line)
-    sound = np.zeros(len(track), dtype=np.int16)
-    for first in range(0, len(track), BLOCK):
-        part = track[first : first + BLOCK]
+    sound = np.zeros(round(score.duration * RATE), dtype=np.int16)
+    for first in range(0, len(sound), BLOCK):
+        part = np.zeros(min(BLOCK, len(sound) - first), dtype=np.float32)
+        for line in score.lines:
+            _lay(part, line, first)
         loud = np.abs(part) > KNEE * FULL
         part[loud] = _limited(part[loud])
         sound[first : first + BLOCK] = np.rint(part)
     return sound, RATE
 
 
-def _lay(track: Samples, line: Line) -> None:
-    """Add one line to the track, at its time and volume, up to its cut."""
+def _lay(block: Samples, line: Line, first: int) -> None:
+    """Add what falls of one line, at its time and volume and up to its cut, into the block that starts at `first`."""
+    start = round(line.start * RATE) - first
+    if start >= len(block) or start + line.spoken.duration * RATE + RATE < 0:
+        return
     sound = np.frombuffer(line.spoken.pcm, dtype="<i2").astype(np.float32) * np.float32(line.volume)
     if line.spoken.rate != RATE:
         sound = _resampled(sound, line.spoken.rate)
     if line.cut is not None:
         sound = _cut(sound, line.cut - line.start)
-    start = round(line.start * RATE)
     skipped = max(-start, 0)
-    stretch = track[max(start, 0) : max(start, 0) + max(len(sound) - skipped, 0)]
+    stretch = block[max(start, 0) : max(start, 0) + max(len(sound) - skipped, 0)]
     stretch += sound[skipped : skipped + len(stretch)]
 
 
