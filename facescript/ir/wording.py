@@ -6,12 +6,14 @@ import re
 import unicodedata
 from functools import lru_cache
 
-_UNSPACED = re.compile(
-    "[\u0e00-\u0eff\u1000-\u109f\u1780-\u17ff\u3000-\u30ff\u3400-\u9fff\uf900-\ufaff\uff00-\uffef\U00020000-\U0003ffff]"
+_RANGES = (
+    "\u0e00-\u0eff\u1000-\u109f\u1780-\u17ff\u3000-\u30ff\u3400-\u9fff\uf900-\ufaff\uff00-\uffef\U00020000-\U0003ffff"
 )
+_UNSPACED = re.compile(f"[{_RANGES}]")
 """Thai, Lao, Burmese, Khmer, kana, Chinese characters and their signs: written without spaces between words."""
 
-_CHUNK = re.compile(r"\S+")
+_CHUNK = re.compile(rf"[^\s{_RANGES}]+|[{_RANGES}]+")
+"""What stands between spaces; a Latin word or a number among Chinese characters is one of its own."""
 
 
 def find(text: str, word: str, nth: int = 1) -> tuple[int, int] | None:
