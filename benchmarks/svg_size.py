@@ -10,7 +10,7 @@ from _measure import job_of, row
 from _scripts import talk
 
 from facescript.backends.job import Job
-from facescript.backends.svg import write_svg
+from facescript.backends.svg.document import write_svg
 from facescript.rig.picture import Shape
 from facescript.speech.voicebox import open_voice
 

@@ -31,7 +31,9 @@ class Backend:
 
 
 BACKENDS = (
-    Backend(".svg", "facescript.backends.svg:write_svg", "animated picture with sound, plays in any browser", True),
+    Backend(
+        ".svg", "facescript.backends.svg.document:write_svg", "animated picture with sound, plays in any browser", True
+    ),
     Backend(".mp4", "facescript.backends.film:write_mp4", "film, H.264 and AAC"),
     Backend(".webm", "facescript.backends.film:write_webm", "film, VP9 and Opus"),
     Backend(".gif", "facescript.backends.film:write_gif", "looping picture without sound"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lxml import etree
 
-from facescript.backends.svg_track import svg
+from facescript.backends.svg.track import svg
 from facescript.rig.picture import Linear, Paint, Radial
 
 

@@ -9,9 +9,9 @@ import numpy as np
 from lxml import etree
 from numpy.typing import NDArray
 
-from facescript.backends.svg_keys import Swing
-from facescript.backends.svg_paint import Paints
-from facescript.backends.svg_track import Clock, Track, animate, svg
+from facescript.backends.svg.keys import Swing
+from facescript.backends.svg.paint import Paints
+from facescript.backends.svg.track import Clock, Track, animate, svg
 from facescript.stage.ground import Backdrop, Ground, Photo
 
 Floats = NDArray[np.float64]

@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.backends.job import Job
-from facescript.backends.svg_carry import ANGLE, PLACE, SIZE, Carrier, carriers
-from facescript.backends.svg_ease import Keys
-from facescript.backends.svg_ground import SHADE, Behind
-from facescript.backends.svg_keys import Swing
-from facescript.backends.svg_path import path_text
-from facescript.backends.svg_seen import around, inside_clips
-from facescript.backends.svg_track import Carried, Track
+from facescript.backends.svg.carry import ANGLE, PLACE, SIZE, Carrier, carriers
+from facescript.backends.svg.ease import Keys
+from facescript.backends.svg.ground import SHADE, Behind
+from facescript.backends.svg.keys import Swing
+from facescript.backends.svg.path import path_text
+from facescript.backends.svg.seen import around, inside_clips
+from facescript.backends.svg.track import Carried, Track
 from facescript.performance.channels import CHANNELS
 from facescript.rig.picture import Shape
 

@@ -11,15 +11,15 @@ from typing import IO
 from lxml import etree
 
 from facescript.backends.job import Job
-from facescript.backends.svg_animation import QUANTUM, Animation, animation
-from facescript.backends.svg_paint import Paints
-from facescript.backends.svg_sound import sound_address
-from facescript.backends.svg_track import SVG, Clock, Track, animate, carry, svg
+from facescript.backends.svg.animation import QUANTUM, Animation, animation
+from facescript.backends.svg.paint import Paints
+from facescript.backends.svg.sound import sound_address
+from facescript.backends.svg.track import SVG, Clock, Track, animate, carry, svg
 from facescript.rig.picture import Shape
 from facescript.stage.actor import BACKDROP
 
 XHTML = "http://www.w3.org/1999/xhtml"
-PLAYER = Path(__file__).with_name("svg_player.js")
+PLAYER = Path(__file__).with_name("player.js")
 UNFIT = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """What XML cannot hold."""
 
@@ -27,7 +27,7 @@ UNFIT = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 def write_svg(job: Job, path: Path, sound: bool = True) -> None:
     """The film, or the moment `job.at`, as one file that plays by itself. Raises `JobFailure`.
 
-    SMIL plays it without script; where scripts run, `svg_player.js` keeps it to the sound's clock.
+    SMIL plays it without script; where scripts run, `player.js` keeps it to the sound's clock.
     """
     with path.open("wb") as out:
         write_document(job, out, sound and job.at is None)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.backends.job import Job
-from facescript.backends.svg_ease import Keys
+from facescript.backends.svg.ease import Keys
 from facescript.performance.channels import INDEX
 from facescript.performance.performance import REST, FaceCurves, Frames, Performance
 from facescript.rig.picture import Shape

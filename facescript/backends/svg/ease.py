@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.backends.svg_track import STRAIGHT
+from facescript.backends.svg.track import STRAIGHT
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

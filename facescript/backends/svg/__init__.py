@@ -1,0 +1,1 @@
+"""The animated SVG: a performance to one file that plays by itself."""
