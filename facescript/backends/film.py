@@ -22,7 +22,7 @@ COLOURS = ("-vf", "setparams=range=tv:colorspace=bt709:color_primaries=bt709:col
 """What the planes are (`canvas.planes`)."""
 
 MP4 = (
-    *("-c:v", "libx264", "-preset", "veryfast", "-tune", "animation", "-crf", "20", "-threads", "3"),
+    *("-c:v", "libx264", "-preset", "veryfast", "-tune", "animation", "-crf", "20", "-threads", "2"),
     *("-c:a", "aac", "-b:a", "128k", "-movflags", "+faststart", "-f", "mp4"),
 )
 """The tuning for flat pictures: smaller files, nearer to the frames. x264's output depends on the number of threads."""
