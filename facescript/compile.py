@@ -10,6 +10,7 @@ from facescript.ir.play import Film, Play
 from facescript.resolve.resolver import resolve
 from facescript.schedule.scheduler import schedule
 from facescript.schedule.score import Score
+from facescript.space.haste import haste
 from facescript.space.reach import reach
 from facescript.speech.model import VoiceBox
 from facescript.syntax.parser import parse
@@ -52,6 +53,7 @@ def compile_source(source: Source, world: World, voice: VoiceBox, settings: Sett
     if score is None:
         return compiled
     reach(score, diagnostics)
+    haste(score, diagnostics)
     if not diagnostics.failed:
         compiled.score = score
     return compiled

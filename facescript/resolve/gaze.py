@@ -7,16 +7,21 @@ from typing import Literal, cast
 from facescript.ir.acts import GazeManner, GazeParts, Glance, Look, Scan
 from facescript.ir.values import Aim, Amount
 from facescript.resolve.aims import read_aim, read_crowd, read_direction
+from facescript.resolve.arithmetic import bounds
 from facescript.resolve.lines import Line
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
 from facescript.resolve.shows import timing
 from facescript.resolve.suggest import replace
-from facescript.resolve.units import SHARE, TIME
+from facescript.resolve.units import SHARE, TIME, written
+from facescript.space.main_sequence import HURRY
 
 USUAL_DWELL = 0.6
 """Seconds for each of a crowd where none are written."""
+
+SLOWEST = 0.01
+"""The least `speed` of a look; `HURRY` is the greatest."""
 
 PARTS = ("eyes then head", "head then eyes", "eyes only", "head only")
 ORDERS = ("in order", "nearest first", "at random")
@@ -74,12 +79,25 @@ def _aim(project: Project, reader: Reader, place: Place) -> Aim:
 
 def _manner(line: Line) -> GazeManner:
     parts = next((name for name in PARTS if name in line.parts), "eyes then head")
-    speed = line.amount("speed", SHARE)
+    speed = _speed(line)
     latency = line.amount("latency", TIME)
     share: Amount | None = line.amount("head", SHARE)
     return GazeManner(
         cast(GazeParts, parts),
         share,
-        1.0 if speed is None else speed,
+        speed,
         0.0 if latency is None else latency,
     )
+
+
+def _speed(line: Line) -> Amount:
+    """How fast eyes and head are to move, within what they can do. Raises `Refused`."""
+    speed = line.amount("speed", SHARE)
+    if speed is None:
+        return 1.0
+    low, high = bounds(speed)
+    if low < SLOWEST or high > HURRY:
+        span = line.spans["speed"]
+        limits = f"a look has {written(SHARE, SLOWEST)} to {written(SHARE, HURRY)} of the usual speed"
+        raise line.project.refuse("FS304", span, text=span.text, limits=limits)
+    return speed

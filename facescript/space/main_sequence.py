@@ -15,6 +15,15 @@ PEAK_OVER_MEAN = 1.65
 HEAD_CEILING = 185.0
 """The fastest a head turns unhurried, deg/s (bar H6)."""
 
+HURRY = 2.0
+"""How many times as fast as usual eyes and head can be made to move."""
+
+EYE_CEILING = 700.0
+"""The fastest an eye turns, deg/s (`motion.md` section 1: large saccades, upper bound)."""
+
+HEAD_HURRIED = 300.0
+"""The fastest a head turns when it is hurried, deg/s (ours: eyes and head stay continuous at 1000 rows a second)."""
+
 CONVERGE_SHARE, DIVERGE_SHARE = 0.5, 0.7
 """The part of a change of vergence done inside a saccade of 20 deg or more (bar V2)."""
 
@@ -25,6 +34,11 @@ VERGENCE_TIME = 0.5
 def saccade_time(amplitude: float) -> float:
     """Duration of a saccade of `amplitude` deg: 2.7 ms a degree and 25 ms (bar S1)."""
     return (2.7 * amplitude + 25.0) / 1000.0
+
+
+def least_saccade_time(amplitude: float) -> float:
+    """The shortest a saccade of `amplitude` deg can be made: half its duration, and not faster than `EYE_CEILING`."""
+    return max(saccade_time(amplitude) / HURRY, PEAK_OVER_MEAN * amplitude / EYE_CEILING)
 
 
 def peak_fraction(duration: float) -> float:
@@ -60,6 +74,11 @@ def head_lag(amplitude: float) -> float:
 def head_time(turn: float) -> float:
     """Duration of a minimum-jerk head movement of `turn` deg, never faster than `HEAD_CEILING` (bar H6)."""
     return max((300.0 + 4.5 * turn) / 1000.0, 1.875 * turn / HEAD_CEILING)
+
+
+def least_head_time(turn: float) -> float:
+    """The shortest a head movement of `turn` deg can be made: half its duration, not faster than `HEAD_HURRIED`."""
+    return max(head_time(turn) / HURRY, 1.875 * turn / HEAD_HURRIED)
 
 
 def minimum_jerk(part: float) -> float:

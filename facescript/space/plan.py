@@ -19,7 +19,8 @@ class GazePlan:
     `aim` is definite: a person is its target, the nearest of a crowd a number, `away` a direction. `parts` says which
     parts the shift uses ("eyes only", "head only", else both). `eye_done` is when the line of sight has run its
     course: where the eyes then wait at the end of their reach for the head, `landed` is later. `head_from` is what the
-    head's share is counted from. `unreachable` is by how many degrees the gaze stays short of the target.
+    head's share is counted from. `unreachable` is by how many degrees the gaze stays short of the target. `needs` is
+    how long the shift takes, in s, where its `over` asked for less than eyes or head can do; else 0.
     """
 
     aim: Aim
@@ -35,6 +36,7 @@ class GazePlan:
     unreachable: float = 0.0
     eye_done: float = 0.0
     head_from: tuple[float, float] = (0.0, 0.0)
+    needs: float = 0.0
 
     @property
     def starts(self) -> float:

@@ -10,7 +10,15 @@ from math import hypot, inf
 from facescript.ir.acts import GazeManner
 from facescript.ir.play import Face
 from facescript.ir.values import Aim, AtCamera, Draw
-from facescript.space.main_sequence import head_lag, head_time, minimum_jerk, saccade_part, saccade_time
+from facescript.space.main_sequence import (
+    head_lag,
+    head_time,
+    least_head_time,
+    least_saccade_time,
+    minimum_jerk,
+    saccade_part,
+    saccade_time,
+)
 from facescript.space.plan import GazePlan
 from facescript.space.reach import Direction, extent, head_goal, in_head, shortfall, within
 from facescript.space.room import Room
@@ -155,6 +163,7 @@ class Shifter:
             instant=wish.over == 0.0,
             eye_done=self.start + times.eye_done,
             head_from=start,
+            needs=_needs(wish, amplitude, turn),
         )
 
     def shortfall(self, wish: Wish) -> Callable[[float], float]:
@@ -243,19 +252,37 @@ def _times(time: float, wish: Wish, amplitude: float, turn: float) -> Times:
     if wish.over == 0.0:
         return Times(time, time, time, time)
     speed = number(wish.manner.speed)
-    eye, head = saccade_time(amplitude) / speed, head_time(turn) / speed
+    eye = max(saccade_time(amplitude) / speed, least_saccade_time(amplitude))
+    head = max(head_time(turn) / speed, least_head_time(turn))
     lag, wait = head_lag(amplitude) / speed, HEAD_FIRST * head if turn > TURNING else 0.0
-    if wish.over is not None:
-        lag, wait = min(lag, wish.over / 2), wish.over / 2
-        eye, head = wish.over, max(head, wish.over - lag)
+    over = None if wish.over is None else max(wish.over, _shortest(wish.parts, amplitude, turn))
+    if over is not None:
+        lag, wait = min(lag, over / 2), over / 2
+        eye, head = over, max(head, over - lag)
     if wish.parts == "eyes only":
         return Times(time, time + eye, time, time)
     if wish.parts == "head only":
-        return Times(time, time, time, time + (wish.over or head))
+        return Times(time, time, time, time + (over or head))
     if wish.parts == "head then eyes":
-        length = wish.over - wait if wish.over is not None else eye
-        return Times(time + wait, time + wait + length, time, time + (wish.over or head))
+        length = over - wait if over is not None else eye
+        return Times(time + wait, time + wait + length, time, time + (over or head))
     return Times(time, time + eye, time + lag, time + lag + head)
+
+
+def _needs(wish: Wish, amplitude: float, turn: float) -> float:
+    """How long a shift takes whose `over` asks for less than eyes or head can do, s; else 0."""
+    if not wish.over:
+        return 0.0
+    least = _shortest(wish.parts, amplitude, turn)
+    return least if least > wish.over else 0.0
+
+
+def _shortest(parts: str, amplitude: float, turn: float) -> float:
+    """The shortest `over` that eyes (`amplitude` deg) and head (`turn` deg) can follow, s."""
+    if parts == "head only":
+        return least_head_time(turn)
+    eyes = least_saccade_time(amplitude)
+    return max(2 * eyes, least_head_time(turn)) if parts == "head then eyes" else eyes
 
 
 def _head_at(target: Callable[[float], Direction], share: Direction, start: Direction, time: float) -> Direction:

@@ -13,6 +13,7 @@ from facescript.diagnostics.model import Diagnostics, Severity
 from facescript.ir.acts import GazeManner, Life, Scan, Voice
 from facescript.ir.play import Crowd, Face, Film, FixedTarget, MovingTarget
 from facescript.ir.values import AtCamera, AtTarget, Away, Point, Towards
+from facescript.space.haste import haste
 from facescript.space.main_sequence import head_time, peak_fraction, saccade_part, saccade_time, velocity_shape
 from facescript.space.plan import GazePlan
 from facescript.space.planner import GazeRequest, plan_gaze, scan_stops
@@ -81,6 +82,28 @@ def test_over_latency_and_speed() -> None:
     late = GazeRequest((0, 0), Towards(20, 0), GazeManner(latency=0.15, speed=0.5), 1.0)
     assert plans(late)[0][0].eye_onset == pytest.approx(1.15)
     assert plans(late)[0][0].landed == pytest.approx(1.15 + 2 * 0.079)
+
+
+@pytest.mark.parametrize("parts", ["eyes then head", "head then eyes", "eyes only", "head only"])
+@pytest.mark.parametrize("yaw", [2, 10, 40, 80])
+def test_nobody_is_faster_than_eyes_and_head_can_be(parts: str, yaw: int) -> None:
+    hurried = plans(look(0, Towards(yaw, 0), 1.0, parts, over=0.005))[0][0]
+    assert hurried.needs > 0.005
+    if hurried.uses_eyes:
+        assert 1.65 * yaw / (hurried.eye_done - hurried.eye_onset) < 700.1
+    if hurried.uses_head:
+        turn = hurried.amplitude if parts == "head only" else min(40.0, yaw * hurried.head_share[0])
+        assert 1.875 * turn / (hurried.head_done - hurried.head_onset) < 300.1
+    assert plans(look(0, Towards(yaw, 0), 1.0, parts, over=1.0))[0][0].needs == 0.0
+
+
+def test_a_look_that_is_to_be_too_fast_is_warned_of_once_a_place() -> None:
+    diagnostics = Diagnostics()
+    made = plans(look(0, Towards(20, 0), 0.0, over=0.01), look(1, Towards(-40, 0), 1.0, over=0.01))
+    haste(Acts((Act(made[0], HERE), Act(made[1], HERE))), diagnostics)
+    (told,) = diagnostics
+    assert (told.code, told.severity) == ("FS607", Severity.WARNING)
+    assert "for 60deg this takes 141ms" in told.message
 
 
 def test_head_only_settles_with_the_head_and_head_then_eyes_with_the_eyes() -> None:

@@ -27,4 +27,14 @@ GAZE: tuple[Entry, ...] = (
         "With `eyes only` the head stays as it is, with `head only` the eyes keep what they have: what lies beyond the "
         "reach of the one (45 degrees sideways) is not reached, and nothing else helps.",
     ),
+    Entry(
+        "FS607",
+        "look-too-fast",
+        Severity.WARNING,
+        "The {part} cannot turn that fast: for {far} this takes {needs}, and that is how long it will take.",
+        "look left 40deg over 20ms\n",
+        "look left 40deg over 200ms\n",
+        "Eyes turn at most twice as fast as people's do and at 700 degrees a second, the head at 300. `over 0ms` is at "
+        "once: a cut, which experiments need.",
+    ),
 )
