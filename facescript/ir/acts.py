@@ -50,10 +50,10 @@ class Glance:
 
 @dataclass(frozen=True, slots=True)
 class Scan:
-    """Fixate each of a crowd (`crowd` is a target's name or "people"), `dwell` seconds each."""
+    """Fixate each of a crowd (`crowd` is a target's name or "people"), `dwell` seconds each; None: each as long as people do."""
 
     crowd: str
-    dwell: Amount
+    dwell: Amount | None = None
     order: Literal["in order", "nearest first", "at random"] = "in order"
     manner: GazeManner = GazeManner()
 

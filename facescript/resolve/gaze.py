@@ -17,9 +17,6 @@ from facescript.resolve.suggest import replace
 from facescript.resolve.units import SHARE, TIME, written
 from facescript.space.main_sequence import HURRY
 
-USUAL_DWELL = 0.6
-"""Seconds for each of a crowd where none are written."""
-
 SLOWEST = 0.01
 """The least `speed` of a look; `HURRY` is the greatest."""
 
@@ -55,10 +52,9 @@ def scan(project: Project, line: Line, place: Place) -> Scan:
     reader.next()
     crowd = read_crowd(project, reader)
     line.finish(reader)
-    dwell = line.amount("each", TIME)
     order = next((name for name in ORDERS if name in line.parts), "in order")
     chosen = cast(Literal["in order", "nearest first", "at random"], order)
-    return Scan(crowd, USUAL_DWELL if dwell is None else dwell, chosen, _manner(line))
+    return Scan(crowd, line.amount("each", TIME), chosen, _manner(line))
 
 
 def _misses_at(project: Project, reader: Reader) -> None:

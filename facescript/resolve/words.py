@@ -101,7 +101,7 @@ VERBS: dict[str, Verb] = _verbs(
         "scan",
         "scan CROWD, TIME each",
         ("each", "in order", "nearest first", "at random", *GAZE, "as"),
-        "600ms each, in order",
+        "in order, each as long as people do",
         "fixates each of a crowd",
     ),
     Verb("show", "show SUM", CHANGE, "until the next `show`", "makes a sum the face's base expression"),

@@ -21,6 +21,7 @@ from facescript.ir.acts import (
 )
 from facescript.ir.values import AtTarget
 from facescript.schedule.defaults import Concrete, seconds
+from facescript.schedule.dwells import dwells
 from facescript.schedule.facts import Facts, Hold
 from facescript.schedule.presence import Presence
 from facescript.schedule.steps import NEVER, START, Step
@@ -58,7 +59,7 @@ class Lengths:
         if isinstance(verb, (Show, Add, Drop)):
             return seconds(verb.timing.over)
         if isinstance(verb, Scan):
-            return seconds(verb.dwell) * self.presence.size(verb.crowd, start)
+            return sum(dwells(verb, self.presence.size(verb.crowd, start), self.concrete.seed, step.place()))
         if isinstance(verb, (SetBackground, View, SetLife)):
             return seconds(verb.over)
         assert isinstance(verb, Wait)

@@ -5,12 +5,14 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 
 from facescript.ir.acts import Glance, Look, Scan
 from facescript.ir.play import Face
 from facescript.ir.values import Away
 from facescript.schedule.deeds import Deed
 from facescript.schedule.defaults import seconds
+from facescript.schedule.dwells import dwells
 from facescript.schedule.presence import Presence
 from facescript.schedule.steps import NEVER, Key
 from facescript.space.plan import GazePlan
@@ -56,13 +58,12 @@ class Gaze:
     def _stops(self, deed: Deed, scan: Scan, scene: int, clock: float) -> list[GazeRequest]:
         """A request for each stop that begins before the scan lets go; they let go together, at its end."""
         assert deed.face is not None
-        people, dwell = self.presence.people(deed.start), seconds(scan.dwell)
-        face = self.faces[deed.face]
-        aims = scan_stops(self.presence.room, face, scan, clock, self.seed, people, deed.step.place())
-        starts = [deed.start + number * dwell for number in range(len(aims))]
+        people, place = self.presence.people(deed.start), deed.step.place()
+        aims = scan_stops(self.presence.room, self.faces[deed.face], scan, clock, self.seed, people, place)
+        starts = accumulate(dwells(scan, len(aims), self.seed, place), initial=deed.start)
         return [
             GazeRequest((deed.order, number), aim, scan.manner, start, deed.release, None, scene, False)
-            for number, (aim, start) in enumerate(zip(aims, starts, strict=True))
+            for number, (aim, start) in enumerate(zip(aims, starts, strict=False))
             if start < deed.release
         ]
 

@@ -36,7 +36,8 @@ def phrase(verb: Verb) -> str:
         case Glance(aim, manner):
             return f"glance {_target(aim)}{_manner(manner)}"
         case Scan(crowd, dwell, order, manner):
-            return f"scan {crowd}, {duration(dwell)} each{'' if order == 'in order' else f', {order}'}{_manner(manner)}"
+            each = "" if dwell is None else f", {duration(dwell)} each"
+            return f"scan {crowd}{each}{'' if order == 'in order' else f', {order}'}{_manner(manner)}"
         case Show(mix, timing) | Add(mix, timing):
             return f"{type(verb).__name__.lower()} {_sum(mix)}{_length(timing)}"
         case Gesture():
