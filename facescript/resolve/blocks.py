@@ -147,7 +147,7 @@ def _inline_cues(project: Project, inlines: tuple[Inline, ...], length: int, pla
             _nameless(project, inline)
             bare = _is_bare(project, inline)
             phrases = _with_add(inline) if bare else inline.phrases
-            node = _line(project, phrases, inline.span, place)
+            node = _line(project, phrases, inline.span, place.within(inline.scope))
         except Refused:
             continue
         until = length if bare and inline.until is None else inline.until

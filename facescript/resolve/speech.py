@@ -10,10 +10,12 @@ from facescript.resolve.lines import Line
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
+from facescript.resolve.scope import GLOBAL, Scope, expand, inside
+from facescript.resolve.sums import left_over
 from facescript.resolve.texts import Inline, Piece, pieces_of, read_text
 from facescript.resolve.units import SHARE
-from facescript.syntax.tree import Name, String, Word
-from facescript.text import Span
+from facescript.syntax.tree import Dotted, Name, String, Word
+from facescript.text import Source, Span
 from facescript.world import WorldFailure
 
 _LANGUAGE = re.compile(r"[a-z]{2,3}(-[a-z0-9]{1,8})*")
@@ -28,12 +30,12 @@ def say(project: Project, line: Line, place: Place, more: tuple[String, ...]) ->
     reader = line.reader()
     reader.next()
     recorded = _later(project, line)
-    pieces = _pieces(project, reader, more, recorded)
+    pieces, scope = _pieces(project, reader, more, recorded)
     line.finish(reader)
     voice = spoken_with(project.faces[place.face].voice if place.face in project.faces else Voice(), line)
     if not pieces:
         return Say("", voice), ()
-    text = read_text(project, pieces, line.scope, line.span)
+    text = read_text(project, pieces, scope, line.span)
     return Say(text.plain, voice, text.stretches), text.inlines
 
 
@@ -45,18 +47,42 @@ def _later(project: Project, line: Line) -> bool:
     return "from" in line.parts
 
 
-def _pieces(project: Project, reader: Reader, more: tuple[String, ...], recorded: bool) -> tuple[Piece, ...]:
-    if reader.word("text"):
+def _pieces(
+    project: Project, reader: Reader, more: tuple[String, ...], recorded: bool
+) -> tuple[tuple[Piece, ...], Scope]:
+    """The text of a line, and the scope that it was written in: a parameter's is the caller's. Raises `Refused`."""
+    found = _elsewhere(project, reader)
+    if found is not None:
         for string in more:
-            project.report("FS312", string.span, text=string.span.text, advice="the text stands in the file")
-        return (_file(project, reader),)
+            project.report("FS312", string.span, text=string.span.text, advice="the line's text stands elsewhere")
+        return found
     strings = []
     while isinstance(word := reader.peek(), String):
         strings.append(word)
         reader.next()
     if not strings and not recorded:
         raise project.refuse("FS312", reader.here(), text=reader.here().text, advice='it is written `say "TEXT"`')
-    return pieces_of((*strings, *more))
+    return pieces_of((*strings, *more)), reader.scope
+
+
+def _elsewhere(project: Project, reader: Reader) -> tuple[tuple[Piece, ...], Scope] | None:
+    """A text in a file, in a cell of a table, or behind a name (a parameter, a `let`); None where it is written here."""
+    if reader.word("text"):
+        return (_file(project, reader),), reader.scope
+    word = reader.peek()
+    expansion = expand(project, word, reader.scope) if isinstance(word, Name | Dotted) else None
+    if word is None or expansion is None:
+        return None
+    reader.next()
+    if expansion.cell is not None:
+        cell = expansion.cell
+        place = f"{cell.file} row {cell.row} {cell.column}"
+        return ((Source(place, cell.text), 0, len(cell.text)),), GLOBAL
+    with inside(project, expansion, word.span):
+        inner = Reader(expansion.words, expansion.scope, word.span)
+        found = _pieces(project, inner, (), False)
+        left_over(project, inner)
+    return found
 
 
 def _file(project: Project, reader: Reader) -> Piece:

@@ -25,10 +25,11 @@ _SPECIAL = re.compile(r"[\\\[*|]|\s+")
 @dataclass(slots=True)
 class Inline:
     """A statement inside a text: its phrases; it starts before the character `at` of the plain text and is ended by
-    `[/]` at `until`, None where there is none."""
+    `[/]` at `until`, None where there is none. `scope` is where its words are read."""
 
     phrases: tuple[Phrase, ...]
     span: Span
+    scope: Scope
     at: int
     until: int | None = None
 
@@ -155,7 +156,7 @@ class _TextReader:
         elif content.startswith("wait ") and not content.startswith("wait until "):
             self.pause(source, at, close, span)
         else:
-            inline = Inline(self.words(source, at + 1, close), span, self.length)
+            inline = Inline(self.words(source, at + 1, close), span, self.scope, self.length)
             self.inlines.append(inline)
             self.opened.append(inline)
         return close + 1

@@ -88,9 +88,9 @@ def _towards(aim: Aim) -> str:
         return "away"
     if isinstance(aim, Towards):
         yaw, pitch = seconds(aim.yaw), seconds(aim.pitch)
-        if yaw or not pitch:
-            return f"{'right' if yaw < 0 else 'left'} {abs(yaw):g}deg"
-        return f"{'up' if pitch > 0 else 'down'} {abs(pitch):g}deg"
+        aside = f"{'right' if yaw < 0 else 'left'} {abs(yaw):g}deg" if yaw or not pitch else ""
+        up = f"{'up' if pitch > 0 else 'down'} {abs(pitch):g}deg" if pitch else ""
+        return f"{aside} {up}".strip()
     return f"at {_target(aim)}"
 
 

@@ -28,6 +28,24 @@ def cues(line: Say) -> list[str]:
     return found
 
 
+def test_a_text_behind_a_name_is_read_where_it_was_written() -> None:
+    text = (
+        "target cup at 0cm 0cm 30cm\naction tell(who, words):\n    say words\n"
+        'let hello = "Hello, *you*."\ntell cup, words "My [look at cup]cup[/]."\nsay hello\ntell cup, words hello\n'
+    )
+    lines = [node for node in verbs(text) if isinstance(node, Say)]
+    assert [line.text for line in lines] == ["My cup.", "Hello, you.", "Hello, you."]
+    assert cues(lines[0]) == ["before 3 until 6: look target cup"]
+
+
+def test_a_text_in_a_cell_is_told_of_by_its_row(tmp_path: Path) -> None:
+    (tmp_path / "lines.csv").write_text('text\n"Well, [smile 40%]hello[/]"\nGood bye [smlie]\n', "utf-8")
+    text = 'repeat row in "lines.csv":\n    say row.text\n'
+    (told,) = resolved(text, tmp_path)[1]
+    assert told.code == "FS204" and told.span is not None
+    assert (told.span.source.name, told.span.text) == ("lines.csv row 2 text", "smlie")
+
+
 def test_a_page_of_marks() -> None:
     line = said('say "Good [brows 50%]evening[/], everyone. | I have lost my *cup*.[wait 300ms]"\n')
     assert line.text == "Good evening, everyone. I have lost my cup."
