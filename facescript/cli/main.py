@@ -40,7 +40,8 @@ def main(arguments: list[str] | None = None) -> int:
         parser(__version__).print_help(sys.stderr)
         return 2
     options = parser(__version__).parse_args(words)
-    signal.signal(signal.SIGTERM, _terminated)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, _interrupted)
     try:
         return _run(options)
     except KeyboardInterrupt:
@@ -71,9 +72,14 @@ def _later(command: str) -> int:
     return refuse_option(OptionFault("FS909", command=command))
 
 
-def _terminated(number: int, frame: FrameType | None) -> NoReturn:
-    """End as an interrupt does, so that nothing half-written stays."""
-    raise KeyboardInterrupt
+class Interrupted(KeyboardInterrupt):
+    """An interrupt or a termination. Of the interpreter's own kind it keeps in mind that one passed through generated
+    code, and then ends by the signal however well it was caught."""
+
+
+def _interrupted(number: int, frame: FrameType | None) -> NoReturn:
+    """End in order, so that nothing half-written stays."""
+    raise Interrupted
 
 
 if __name__ == "__main__":
