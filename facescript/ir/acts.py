@@ -50,7 +50,7 @@ class Glance:
 
 @dataclass(frozen=True, slots=True)
 class Scan:
-    """Fixate each of a crowd (`crowd` is a target's name or "people"), `dwell` seconds each; None: each as long as people do."""
+    """Fixate each of a crowd (`crowd` is a target's name or "people"), `dwell` seconds each (None: as people do)."""
 
     crowd: str
     dwell: Amount | None = None

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from facescript.ir.play import Face
 from facescript.motion.gaze_aims import Bound, in_effect, rest
-from facescript.motion.gaze_curves import Blend, Movement, minimum_jerk_curve, saccade_curve
-from facescript.motion.gaze_eyes import eyes, midline
+from facescript.motion.gaze_curves import Blend, Course, Movement, minimum_jerk_curve, saccade_curve
+from facescript.motion.gaze_eyes import eyes, midline, within_reach
 from facescript.schedule.score import Score
 from facescript.space.main_sequence import VERGENCE_TIME, vergence_share
 from facescript.space.plan import GazePlan
@@ -64,9 +64,13 @@ class _Scene:
         bounds = {id(plan): Bound(room, face, start, plan, until) for plan, until in _untils(eyes, head)}
         first = rest(room, face, start)
         targets = [first, *(bounds[id(plan)] for plan in eyes)]
-        self.eyes = Blend(first.eyes, [_saccade(bound) for bound in targets[1:]])
         self.head = Blend(first.head, [_turn(bounds[id(plan)]) for plan in head])
+        self.eyes = Blend(self._reached(first.eyes), [_saccade(each, self._reached(each.eyes)) for each in targets[1:]])
         self.nearness = Blend(first.nearness, [_vergence(before, bound) for before, bound in pairwise(targets)])
+
+    def _reached(self, course: Course) -> Course:
+        """A course of the line of sight as far as the eyes can follow it from where the head is."""
+        return lambda times: within_reach(course(times), self.head.at(times))
 
     def sight(self, times: Floats) -> Floats:
         return np.concatenate([self.eyes.at(times), 1.0 / self.nearness.at(times)], axis=1)
@@ -82,9 +86,9 @@ def _untils(eyes: list[GazePlan], head: list[GazePlan]) -> list[tuple[GazePlan, 
     return [(plan, until[id(plan)]) for plan in {id(plan): plan for plan in [*eyes, *head]}.values()]
 
 
-def _saccade(bound: Bound) -> Movement:
+def _saccade(bound: Bound, course: Course) -> Movement:
     onset, done = bound.plan.eye_onset, bound.plan.eye_done
-    return Movement(onset, done, lambda times: saccade_curve(times, onset, done), bound.eyes)
+    return Movement(onset, done, lambda times: saccade_curve(times, onset, done), course)
 
 
 def _turn(bound: Bound) -> Movement:

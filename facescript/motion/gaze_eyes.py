@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.space.reach import EYE_DOWN, EYE_SIDE, EYE_UP
+from facescript.space.reach import EYE_DOWN, EYE_END, EYE_KNEE, EYE_SIDE, EYE_UP
 
 Floats = NDArray[np.float64]
 
@@ -20,8 +20,11 @@ APART_CM = 6.3
 WIDE = 85.0
 """Degrees: an eye that is turned further, by a channel of its own, counts as turned so far."""
 
-KNEE, END = 0.95, 0.9999
-"""From the first part of their reach on the eyes are slowed, so that they come to the second without a jolt."""
+ROUGH = 0.1
+"""As a part of the eyes' reach: by less than this do differences of angles miss how far they are turned in the head."""
+
+LAST = 0.9999
+"""The part of their reach that what is added to gaze may take the eyes to."""
 
 
 def eyes(sight: Floats, head_pose: Floats) -> Floats:
@@ -35,7 +38,7 @@ def eyes(sight: Floats, head_pose: Floats) -> Floats:
     target = _to_head(_vectors(sight[:, 0], sight[:, 1]), head_pose) * sight[:, 2:3]
     sides = np.array([[APART_CM / 2, 0.0, 0.0], [-APART_CM / 2, 0.0, 0.0]])
     to_target = target[:, None, :] - sides
-    yaw, pitch = _within_reach(*_angles(to_target))
+    yaw, pitch = _slowed(*_angles(to_target), EYE_END, LAST)
     roll = np.degrees(2.0 * np.arctan(np.tan(np.radians(yaw) / 2.0) * np.tan(np.radians(pitch) / 2.0)))
     return np.stack([yaw, pitch, roll], axis=-1)
 
@@ -51,12 +54,32 @@ def midline(eye_angles: Floats, head_pose: Floats) -> Floats:
     return np.stack(_angles(_to_room(np.stack([*slopes, np.ones_like(slopes[0])], axis=-1), head_pose)), axis=-1)
 
 
-def _within_reach(yaw: Floats, pitch: Floats) -> tuple[Floats, Floats]:
-    extent = np.hypot(yaw / EYE_SIDE, pitch / np.where(pitch > 0, EYE_UP, EYE_DOWN))
-    room = END - KNEE
-    bent = np.where(extent > KNEE, KNEE + room * np.tanh((extent - KNEE) / room), extent)
+def within_reach(sight: Floats, head: Floats) -> Floats:
+    """Lines of sight, array[n, 2] (deg), kept where the eyes in a head turned to `head`, array[n, 2], follow them.
+
+    The eyes wait at the end of their reach for the head, and what comes next sets off from there (bar S8).
+    """
+    far = _extent(*(sight - head).T) >= EYE_KNEE - ROUGH
+    if not far.any():
+        return sight
+    pose = np.concatenate([head[far], np.zeros((np.count_nonzero(far), 1))], axis=1)
+    eye = _slowed(*_angles(_to_head(_vectors(*sight[far].T), pose)), EYE_KNEE, EYE_END)
+    kept = sight.copy()
+    kept[far] = np.stack(_angles(_to_room(_vectors(*eye), pose)), axis=-1)
+    return kept
+
+
+def _slowed(yaw: Floats, pitch: Floats, knee: float, end: float) -> tuple[Floats, Floats]:
+    """The eyes' angles, beyond the part `knee` of their reach slowed so that they come to `end` without a jolt."""
+    extent = _extent(yaw, pitch)
+    bent = np.where(extent > knee, knee + (end - knee) * np.tanh((extent - knee) / (end - knee)), extent)
     scale = bent / np.maximum(extent, 1e-9)
     return yaw * scale, pitch * scale
+
+
+def _extent(yaw: Floats, pitch: Floats) -> Floats:
+    """How far the eyes are turned, as a part of their reach."""
+    return np.hypot(yaw / EYE_SIDE, pitch / np.where(pitch > 0, EYE_UP, EYE_DOWN))
 
 
 def _vectors(yaw: Floats, pitch: Floats) -> Floats:

@@ -66,7 +66,7 @@ def _pieces(
 
 
 def _elsewhere(project: Project, reader: Reader) -> tuple[tuple[Piece, ...], Scope] | None:
-    """A text in a file, in a cell of a table, or behind a name (a parameter, a `let`); None where it is written here."""
+    """A text in a file, in a cell of a table, or behind a name (a parameter, a `let`); None where it stands here."""
     if reader.word("text"):
         return (_file(project, reader),), reader.scope
     word = reader.peek()

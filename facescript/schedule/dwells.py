@@ -11,7 +11,7 @@ from facescript.schedule.defaults import seconds
 
 BRIEFEST, WAIT, LONGEST = 0.35, 0.125, 1.2
 """Seconds: a natural dwell is the first and two exponential waits of the second, 0.6 s in the mean, skewed as fixations
-are (`motion.md` 1), and cut at the third. Fixations of a face take 0.25 to 0.35 s, and to be greeted takes one or two."""
+are (`motion.md` 1), and cut at the third. A fixation of a face takes 0.25 to 0.35 s; to be greeted takes one or two."""
 
 
 def dwells(scan: Scan, count: int, seed: int, place: tuple[Hashable, ...]) -> list[float]:

@@ -33,11 +33,18 @@ the rest (motion.md section 2, "quick glance"; bar H5)."""
 HEAD_FIRST = 0.5
 """With `head then eyes` the eyes leave when the head has spent this part of its time."""
 
+HINDRANCE = 0.25
+"""By this part of its time a saccade takes longer that interrupts another at its start (ours: eyes that are still on
+their way are not to be hurled on)."""
+
 TURNING = 1.0
 """A head movement below this many degrees is none to wait for."""
 
 SEEN = 0.5
 """A gaze short of its target by less than this is not seen to be, deg."""
+
+REACHED = 0.979
+"""The part of their reach within which the eyes come to less than `SEEN` of a target (`reach.EYE_KNEE`)."""
 
 WAIT_STEP, WAIT_STEPS = 0.004, 500
 """Steps in which the moment is sought when the waiting eyes have the target, s; longer where they would be more."""
@@ -47,6 +54,9 @@ WAIT_STRIDE = 16
 
 FOLLOWING = 3
 """A movement that follows a target is so much dearer to work out than one to a place."""
+
+BEHIND = 0.18
+"""How far behind a target that sets off its follower may be, s: it sees with a delay, and then decides (bar S7)."""
 
 MOST_LAID = 32
 """As many movements may lie over each other; older ones of a part are taken to be done."""
@@ -59,13 +69,17 @@ def number(amount: float | Draw) -> float:
     return amount
 
 
+Goal = Callable[[float], Direction]
+"""Where a movement is bound for at a time of the scene's clock."""
+
+
 @dataclass(frozen=True, slots=True)
 class Move:
     """A movement of eyes or head towards a goal that may itself move; times of the scene's clock."""
 
     onset: float
     done: float
-    goal: Callable[[float], Direction]
+    goal: Goal
     cost: int = 1
 
 
@@ -101,6 +115,23 @@ class Past:
         """Where the part is bound for."""
         return self.moves[-1].goal(time)
 
+    def to_come(self, time: float) -> float:
+        """The part of the last movement that is still to come at `time`, 0..1."""
+        last = self.moves[-1]
+        return min(1.0, (last.done - time) / (last.done - last.onset)) if last.onset < time < last.done else 0.0
+
+    def way(self, goal: Goal, time: float) -> float:
+        """How far a movement that sets off at `time` has to go to `goal`, deg: from where the part is then, or from
+        where it is bound for if that is further, for a movement that is interrupted goes on under the next; and what
+        follows a target is a little behind it."""
+        there, last = goal(time), self.moves[-1]
+        ways = [_distance(there, self.at(time))]
+        if last.done > time:
+            ways.append(_distance(there, last.goal(time)))
+        if last.cost > 1:
+            ways.append(_distance(there, last.goal(time - BEHIND)))
+        return max(ways)
+
 
 @dataclass(frozen=True, slots=True)
 class Wish:
@@ -122,7 +153,7 @@ class Shifter:
 
     def __init__(self, room: Room, face: Face, start: float) -> None:
         self.room, self.face, self.start = room, face, start
-        self._directions: dict[Aim, Callable[[float], Direction]] = {}
+        self._directions: dict[Aim, Goal] = {}
         rest = self._direction(AtCamera())
         ahead = head_goal(rest(0.0), self._usual(rest(0.0)))
         self.eyes = Past(Move(-inf, -inf, rest), saccade_part)
@@ -140,15 +171,13 @@ class Shifter:
         at = target(time)
         self._drop_pending(time, eyes, head)
         share, start = self._share(wish, at, self.head.goal(time))
-        goal = head_goal(at, share, start)
-        amplitude = _distance(at, self.eyes.at(time)) if eyes else 0.0
-        turn = _distance(goal, self.head.at(time)) if head else 0.0
-        times = _times(time, wish, amplitude, turn)
+        turned = self._turned(target, share, start, cost > 1)
+        amplitude, turn = self._sizes(time, wish, target, turned)
+        times = _times(time, wish, amplitude, turn, self.eyes.to_come(time))
         if eyes:
             self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target, cost))
         if head:
-            follows = _once(partial(_head_at, target, share, start)) if cost > 1 else lambda _: goal
-            self.head.moves.append(Move(times.head_onset, times.head_done, follows, cost))
+            self.head.moves.append(Move(times.head_onset, times.head_done, turned, cost))
         landed = self._landed(times, target) if eyes else times.head_done
         return GazePlan(
             aim=wish.aim,
@@ -166,6 +195,18 @@ class Shifter:
             needs=_needs(wish, amplitude, turn),
         )
 
+    def _sizes(self, time: float, wish: Wish, target: Goal, turned: Goal) -> tuple[float, float]:
+        """How far the eyes have to go to `target` and the head to `turned`, deg, each when it sets off."""
+        if wish.parts == "head only":
+            return 0.0, self.head.way(turned, time)
+        if wish.parts == "head then eyes":
+            turn = self.head.way(turned, time)
+            return self.eyes.way(target, _times(time, wish, 0.0, turn).eye_onset), turn
+        amplitude = self.eyes.way(target, time)
+        if wish.parts == "eyes only":
+            return amplitude, 0.0
+        return amplitude, self.head.way(turned, _times(time, wish, amplitude, 0.0).head_onset)
+
     def shortfall(self, wish: Wish) -> Callable[[float], float]:
         """Of the wish planned last: by how many degrees the gaze stays short of its target at a time, all settled."""
         head = self.head.moves[-1].goal
@@ -178,13 +219,13 @@ class Shifter:
 
         return short
 
-    def _direction(self, aim: Aim) -> Callable[[float], Direction]:
+    def _direction(self, aim: Aim) -> Goal:
         known = self._directions.get(aim)
         if known is None:
             known = self._directions[aim] = self._directed(aim)
         return known
 
-    def _directed(self, aim: Aim) -> Callable[[float], Direction]:
+    def _directed(self, aim: Aim) -> Goal:
         def direction(time: float) -> Direction:
             sight = self.room.sight(self.face.name, aim, time)
             return within((sight.yaw, sight.pitch))
@@ -193,6 +234,13 @@ class Shifter:
             return _once(direction)
         still = direction(0.0)
         return lambda time: still
+
+    def _turned(self, target: Goal, share: Direction, start: Direction, moves: bool) -> Goal:
+        """Where the head turns for a target, which may move."""
+        if moves:
+            return _once(partial(_head_at, target, share, start))
+        still = head_goal(target(0.0), share, start)
+        return lambda _: still
 
     def _drop_pending(self, time: float, eyes: bool, head: bool) -> None:
         if eyes:
@@ -220,7 +268,7 @@ class Shifter:
         side, vertical = self._usual(way)
         return (share, share * vertical / side), start
 
-    def _landed(self, times: Times, target: Callable[[float], Direction]) -> float:
+    def _landed(self, times: Times, target: Goal) -> float:
         """When the eyes have the target, or are as near as they get: they may have to wait for the head."""
         time, done = times.eye_done, times.head_done
         step = max(WAIT_STEP, (done - time) / WAIT_STEPS)
@@ -232,9 +280,9 @@ class Shifter:
             time = min(done, time + step)
         return time
 
-    def _waits(self, target: Callable[[float], Direction], time: float) -> bool:
+    def _waits(self, target: Goal, time: float) -> bool:
         """Whether the target is out of the eyes' reach."""
-        return extent(in_head(target(time), self.head.at(time))) > 1.0
+        return extent(in_head(target(time), self.head.at(time))) > REACHED
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,12 +295,15 @@ class Times:
     head_done: float
 
 
-def _times(time: float, wish: Wish, amplitude: float, turn: float) -> Times:
-    """The timing of a shift of `amplitude` deg with a head movement of `turn` deg, by the order of its parts."""
+def _times(time: float, wish: Wish, amplitude: float, turn: float, hindered: float = 0.0) -> Times:
+    """The timing of a shift of `amplitude` deg with a head movement of `turn` deg, by the order of its parts.
+
+    It is `hindered` by the part of a saccade that is still to come when it interrupts that.
+    """
     if wish.over == 0.0:
         return Times(time, time, time, time)
     speed = number(wish.manner.speed)
-    eye = max(saccade_time(amplitude) / speed, least_saccade_time(amplitude))
+    eye = max(saccade_time(amplitude) / speed, least_saccade_time(amplitude)) * (1.0 + HINDRANCE * hindered)
     head = max(head_time(turn) / speed, least_head_time(turn))
     lag, wait = head_lag(amplitude) / speed, HEAD_FIRST * head if turn > TURNING else 0.0
     over = None if wish.over is None else max(wish.over, _shortest(wish.parts, amplitude, turn))
@@ -285,11 +336,11 @@ def _shortest(parts: str, amplitude: float, turn: float) -> float:
     return max(2 * eyes, least_head_time(turn)) if parts == "head then eyes" else eyes
 
 
-def _head_at(target: Callable[[float], Direction], share: Direction, start: Direction, time: float) -> Direction:
+def _head_at(target: Goal, share: Direction, start: Direction, time: float) -> Direction:
     return head_goal(target(time), share, start)
 
 
-def _once(goal: Callable[[float], Direction]) -> Callable[[float], Direction]:
+def _once(goal: Goal) -> Goal:
     """The same goal, worked out once where it is asked for again and again at one time."""
     last = (inf, (0.0, 0.0))
 

@@ -34,7 +34,7 @@ GAZE: tuple[Entry, ...] = (
         "The {part} cannot turn that fast: for {far} this takes {needs}, and that is how long it will take.",
         "look left 40deg over 20ms\n",
         "look left 40deg over 200ms\n",
-        "Eyes turn at most twice as fast as people's do and at 700 degrees a second, the head at 300. `over 0ms` is at "
+        "Eyes turn at most twice as fast as people's do and at 550 degrees a second, the head at 250. `over 0ms` is at "
         "once: a cut, which experiments need.",
     ),
 )
