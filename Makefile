@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: setup demo test lint bench docs clean
+.PHONY: setup demo test lint bench motion docs clean
 
 setup: $(VENV)/.ready
 
@@ -33,6 +33,9 @@ lint: setup
 
 bench: setup
 	@for script in benchmarks/[a-z]*.py; do $(BIN)/python $$script; done
+
+motion: setup
+	$(BIN)/python benchmarks/motion
 
 docs: setup
 	$(BIN)/python docs/make_diagnostics.py

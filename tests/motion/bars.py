@@ -87,10 +87,10 @@ class Movement:
         return self.peak * (self.end - self.onset) / abs(self.size)
 
 
-def movement(trace: Trace, values: Floats) -> Movement:
-    """The one movement in the values of a trace (S1 to S6, H1, H2, H6)."""
+def movement(trace: Trace, values: Floats, share: float = ONSET_SHARE) -> Movement:
+    """The one movement in the values of a trace (S1 to S6, H1, H2, H6), by the share of its peak speed at its ends."""
     speed = np.abs(trace.speed(values))
-    moving = np.flatnonzero(speed > ONSET_SHARE * speed.max())
+    moving = np.flatnonzero(speed > share * speed.max())
     onset, end = trace.times[moving[0]], trace.times[moving[-1]]
     peak_time = trace.times[speed.argmax()]
     size = values[moving[-1]] - values[moving[0]]

@@ -1,0 +1,21 @@
+"""The groups of measures by name, and how two processes share them."""
+
+from __future__ import annotations
+
+import blinks
+import conversation
+import expressions
+import eye_head
+import pursuit
+import saccades
+import screen
+import vergence
+from table import Measures
+
+GROUPS: dict[str, Measures] = {
+    module.__name__: module.MEASURES
+    for module in (saccades, eye_head, pursuit, vergence, screen, expressions, blinks, conversation)
+}
+
+HALVES = (("saccades", "eye_head", "pursuit", "vergence", "screen", "expressions"), ("conversation", "blinks"))
+"""Which process measures what, so that both are busy about as long."""
