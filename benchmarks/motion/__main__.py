@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
@@ -11,9 +10,11 @@ from pathlib import Path
 sys.path.insert(1, str(Path(__file__).parents[2] / "tests" / "motion"))
 
 import groups
+import sources
+import table
 from playing import CannotPlay, Studio
 from saccades import extremes
-from table import Measures, Row, bars, failed, printed
+from table import Measures, Row, bars
 
 
 def measured(measures: Measures, studio: Studio) -> Iterator[Row]:
@@ -29,23 +30,19 @@ def work(names: Sequence[str]) -> tuple[list[Row], dict[str, float]]:
     """The rows of several groups, and how far any eye turned in their traces."""
     studio, rows = Studio(), []
     for name in names:
-        begun = time.perf_counter()
         rows += measured(groups.GROUPS[name], studio)
-        print(f"{name}: {time.perf_counter() - begun:.0f} s", file=sys.stderr, flush=True)
+        print(f"{name} measured", file=sys.stderr, flush=True)
     return rows, studio.extremes
 
 
 def main() -> int:
-    wanted = sys.argv[1:]
-    halves = [wanted] if wanted else list(groups.HALVES)
-    with ProcessPoolExecutor(len(halves)) as workers:
-        done = list(workers.map(work, halves))
+    """Print all tables; 1 where a counted bar fails."""
+    with ProcessPoolExecutor(len(groups.HALVES)) as workers:
+        done = list(workers.map(work, groups.HALVES))
     rows = [each for half, _ in done for each in half]
     rows += extremes({side: max(furthest[side] for _, furthest in done) for side in done[0][1]})
-    print(printed(rows))
-    missed = failed(rows)
-    print(f"\n{len(bars()) - 3 - len(missed)} of {len(bars()) - 3} bars pass; not: {' '.join(missed) or 'none'}")
-    return 1 if missed else 0
+    print(table.printed(rows), sources.printed(), table.totals(rows), sep="\n\n")
+    return 1 if table.failed(rows) else 0
 
 
 if __name__ == "__main__":

@@ -69,7 +69,7 @@ FAST = 5.0
 BLINKING, AROUND = 3.0, round(0.1 * FINDING)
 """A lid faster than this (1/s) blinks, and does so for as many samples more on both sides."""
 
-HOLDING = 1.5
+HOLDING = 1.0
 """Gaze within this of its target holds it, deg."""
 
 

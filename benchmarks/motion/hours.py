@@ -18,7 +18,7 @@ from facescript.schedule.score import TimedLine
 FINDING = 200.0
 """Samples a second of the trace on which events are found; each is then measured at 1000 Hz."""
 
-NAMES = ("lid.left", "gaze.yaw", "gaze.pitch", "head.yaw", "head.pitch")
+NAMES = ("lid.left", "gaze.yaw", "gaze.pitch", "head.yaw", "head.pitch", "brow.inner.left")
 
 PAUSE = 0.12
 """Silence inside a line that is a pause; shorter ones are closures of consonants, s."""

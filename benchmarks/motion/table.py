@@ -150,6 +150,12 @@ def _passes(rows: Sequence[Row]) -> bool:
     return bool(rows) and all(each.passed for each in rows)
 
 
+def totals(rows: Sequence[Row]) -> str:
+    """How many of the counted bars pass, and which do not."""
+    missed, counted = failed(rows), len(bars()) - len(PRINTED_ONLY)
+    return f"{counted - len(missed)} of {counted} bars pass" + (f"; not: {', '.join(missed)}" if missed else "")
+
+
 def manual() -> str:
     """The table of bars for the manual: what, band, source, standing."""
     lines = ["| bar | what | band | source | standing |", "|---|---|---|---|---|"]
