@@ -33,7 +33,7 @@ DISAGREEMENTS = (
     ),
     (
         "blinks with gaze shifts",
-        "97 % above 33 deg (Evinger 1994), at most 33 % at a head turn of 30 deg (formula after Peters and Qureshi 2010)",
+        "97 % above 33 deg (Evinger 1994), 33 % at a head turn of 30 deg (formula after Peters and Qureshi 2010)",
         "Evinger: it is a measurement; the formula is a character's.",
     ),
     (
