@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import zip_longest
 
 from facescript.speech.espeak import Heard, Sound
 from facescript.speech.model import PhoneTime, Spoken, WordTime
+from facescript.speech.visemes import visemes
 
 RATE = 22_050
 """Samples a second of every spoken line."""
 
 LEAD, TAIL = 0.06, 0.04
 """Seconds of quiet kept before the first sound and after the last: a plosive's closure, and the voice's fading."""
+
+PARTING = 0.3
+"""The share of an m before its end at which the vowel after it is heard already: espeak-ng tells of a vowel when it is
+full, 17 to 31 ms after the lips have parted (bar L2, a vowel inside an utterance)."""
 
 BYTES = 2
 
@@ -44,7 +50,17 @@ def phones(sound: Sound) -> tuple[PhoneTime, ...]:
             found[-1] = replace(found[-1], end=phone.end)
         else:
             found.append(phone)
-    return tuple(found)
+    return tuple(_parting(found))
+
+
+def _parting(found: Sequence[PhoneTime]) -> Iterator[PhoneTime]:
+    """The phones, a vowel after an m from where it is heard."""
+    moved = 0.0
+    for phone, after in zip_longest(found, found[1:]):
+        start, moved = phone.start - moved, 0.0
+        if phone.symbol == "m" and after and any(each.kind == "vowel" for each in visemes(after.symbol)[:1]):
+            moved = PARTING * (phone.end - phone.start)
+        yield replace(phone, start=start, end=phone.end - moved)
 
 
 def _phone(event: Heard, end: float) -> PhoneTime:
