@@ -7,14 +7,14 @@ import weakref
 from collections.abc import Sequence
 from ctypes import POINTER, c_bool, c_float, c_int, c_uint8, c_uint32, c_void_p
 from functools import cache
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from facescript.rig.picture import Linear, Paint, Stop
 
-CLOSE, MOVE, CUBIC = 0, 1, 3
+CLOSE, MOVE, LINE, CUBIC = 0, 1, 2, 3
 """Path commands (thorvg_capi.h, Tvg_Path_Command)."""
 
 NO_PARTIAL_RENDERING = 0
@@ -55,6 +55,10 @@ CALLS: dict[str, list[Any]] = {
     "tvg_shape_append_path": [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32],
     "tvg_shape_set_fill_color": [c_void_p, c_uint8, c_uint8, c_uint8, c_uint8],
     "tvg_shape_set_gradient": [c_void_p, c_void_p],
+    "tvg_shape_set_stroke_width": [c_void_p, c_float],
+    "tvg_shape_set_stroke_color": [c_void_p, c_uint8, c_uint8, c_uint8, c_uint8],
+    "tvg_shape_set_stroke_join": [c_void_p, c_int],
+    "tvg_shape_set_stroke_dash": [c_void_p, POINTER(c_float), c_uint32, c_float],
     "tvg_paint_set_opacity": [c_void_p, c_uint8],
     "tvg_paint_set_clip": [c_void_p, c_void_p],
     "tvg_paint_get_aabb": [c_void_p, POINTER(c_float), POINTER(c_float), POINTER(c_float), POINTER(c_float)],
@@ -88,6 +92,12 @@ def _checked(result: int, call: Any, arguments: Any) -> int:
     if result:
         raise CanvasFailure(f"{call.__name__} gave {result}")
     return result
+
+
+class Drawable(Protocol):
+    """What a canvas draws: `paint` is ThorVG's own handle of it."""
+
+    paint: int
 
 
 class Outline:
@@ -155,7 +165,7 @@ class Clipped:
 class Canvas:
     """Paints drawn in their order onto pixels that the caller owns: array[y, x] of 0xAARRGGBB, opaque."""
 
-    def __init__(self, pixels: NDArray[np.uint32], paints: Sequence[Outline | Clipped]) -> None:
+    def __init__(self, pixels: NDArray[np.uint32], paints: Sequence[Drawable]) -> None:
         self._lib = library()
         self._pixels = pixels
         self._canvas = self._lib.tvg_swcanvas_create(NO_PARTIAL_RENDERING)

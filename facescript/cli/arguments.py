@@ -46,6 +46,17 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quiet", action="store_true", help="no progress")
 
 
+def _plot(parser: argparse.ArgumentParser) -> None:
+    _script(parser)
+    parser.add_argument("-o", "--output", action="append", default=[], metavar="OUT", help=".svg or .png; repeat")
+    parser.add_argument("--as", dest="kind", metavar="KIND", help="the kind where the output is - (svg, png)")
+    parser.add_argument("--channels", metavar="NAME[,NAME...]", help="only these, head.yaw,lid.left")
+    parser.add_argument("--from", dest="start", metavar="TIME", help="begin there, 2s")
+    parser.add_argument("--to", dest="end", metavar="TIME", help="end there, 5s")
+    parser.add_argument("--size", dest="plot_size", metavar="WxH", help="the plot's size, 1200x900")
+    _settings(parser)
+
+
 def _check(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scripts", nargs="+", metavar="SCRIPT", help=".face files, or - for standard input")
     parser.add_argument("--json", action="store_true", help="a list of objects instead of text")
@@ -78,6 +89,7 @@ COMMANDS = {
     "fmt": Command("fmt", "put scripts into the one layout", _fmt),
     "list": Command("list", "list what there is: faces, expressions, voices, ...", _list),
     "new": Command("new", "write a starter script", _new),
+    "plot": Command("plot", "draw what is done when, over the curves of what moves", _plot),
 }
 
 

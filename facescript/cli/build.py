@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,11 +11,11 @@ from facescript.backends.numbered import is_numbered
 from facescript.backends.output import Outputs, outputs
 from facescript.backends.registry import LATER, Backend, backends
 from facescript.backends.stills import write_pngs
+from facescript.cli.outputs import no_kind, put, suffix_of, targets
 from facescript.cli.progress import Progress
-from facescript.cli.project import STANDARD
 from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.script import compile_named
-from facescript.cli.settings import count, seconds
+from facescript.cli.settings import count, seconds, stretch
 from facescript.compile import Compiled
 from facescript.world import World, WorldFailure
 
@@ -26,7 +25,7 @@ MOST_JOBS = 64
 
 def run(options: argparse.Namespace) -> int:
     """0 made, 1 faults (nothing is written then). Raises `OptionFault`."""
-    wanted = [(target, _backend(target, options.kind)) for target in _targets(options)]
+    wanted = [(target, _backend(target, options.kind)) for target in targets(options, ".mp4")]
     _fit(options, wanted)
     try:
         compiled, world = compile_named(options)
@@ -39,23 +38,12 @@ def run(options: argparse.Namespace) -> int:
     return _make(_job(options, compiled, world, progress), wanted, progress)
 
 
-def _targets(options: argparse.Namespace) -> list[str]:
-    """The outputs asked for; a film beside the script where none is."""
-    if options.output:
-        return list(options.output)
-    return [STANDARD if options.script == STANDARD else str(Path(options.script).with_suffix(".mp4"))]
-
-
 def _backend(target: str, kind: str | None) -> Backend:
-    suffix = f".{(kind or '').lstrip('.')}" if target == STANDARD else Path(target).suffix.lower()
-    known = backends()
-    names = ", ".join(known)
-    if suffix == ".":
-        names = ", ".join(f"`--as {name[1:]}`" for name in known)
+    suffix, known = suffix_of(target, kind), backends()
     if suffix in LATER:
-        raise OptionFault("FS910", suffix=suffix, known=names)
+        raise OptionFault("FS910", suffix=suffix, known=", ".join(known))
     if suffix not in known:
-        raise OptionFault("FS902", suffix=suffix if suffix != "." else target, known=names)
+        raise no_kind(target, suffix, known)
     return known[suffix]
 
 
@@ -75,23 +63,18 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     if options.draft:
         film = replace(play.film, width=play.film.width // 4 * 2, height=play.film.height // 4 * 2)
         play, score = replace(play, film=film), replace(score, film=film)
-    start, end, at = _stretch(options, score.duration)
+    start, end = stretch(options, score.duration)
+    at = _moment(options, score.duration)
     jobs = count("--jobs", options.jobs, "2") if options.jobs else 1
     return Job(play, score, world.read, start, end, at, min(max(1, jobs), MOST_JOBS), progress.step)
 
 
-def _stretch(options: argparse.Namespace, duration: float) -> tuple[float, float, float | None]:
-    """What `--from`, `--to` and `--at` ask for, in seconds. Raises `OptionFault` where that is not in the film."""
-    if duration <= 0:
-        raise OptionFault("FS911", name=options.script)
-    start = seconds("--from", options.start) or 0.0
-    end = min(seconds("--to", options.end) or duration, duration)
+def _moment(options: argparse.Namespace, duration: float) -> float | None:
+    """What `--at` asks for, in seconds. Raises `OptionFault` where that is not in the film."""
     at = seconds("--at", options.at)
     if at is not None and at > duration:
         raise OptionFault("FS906", asked=f"`--at {options.at}`", duration=duration)
-    if start >= end:
-        raise OptionFault("FS906", asked="What `--from` and `--to` ask for", duration=duration)
-    return start, end, at
+    return at
 
 
 def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> int:
@@ -110,12 +93,7 @@ def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> in
 
 def _write(job: Job, target: str, backend: Backend, batch: Outputs) -> None:
     write = backend.load()
-    if target == STANDARD:
-        with batch.aside(backend.suffix) as path:
-            write(job, path)
-            sys.stdout.buffer.write(path.read_bytes())
-            sys.stdout.buffer.flush()
-    elif is_numbered(target):
+    if is_numbered(target):
         write_pngs(job, [batch.place(Path(target % (number + 1))) for number in range(len(job.times()))])
     else:
-        write(job, batch.place(Path(target)))
+        put(target, backend.suffix, batch, lambda path: write(job, path))

@@ -66,6 +66,17 @@ def seconds(option: str, text: str | None) -> float | None:
     return float(found[1]) * TIMES[found[2]]
 
 
+def stretch(options: argparse.Namespace, duration: float) -> tuple[float, float]:
+    """What `--from` and `--to` ask for, in seconds. Raises `OptionFault` where nothing of the film lies there."""
+    if duration <= 0:
+        raise OptionFault("FS911", name=options.script)
+    start = seconds("--from", options.start) or 0.0
+    end = min(seconds("--to", options.end) or duration, duration)
+    if start >= end:
+        raise OptionFault("FS906", asked="What `--from` and `--to` ask for", duration=duration)
+    return start, end
+
+
 def _overrides(pairs: list[str]) -> dict[str, str]:
     found = {}
     for pair in pairs:

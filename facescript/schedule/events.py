@@ -41,7 +41,7 @@ class Events:
 
     def __init__(self, play: Play, concrete: Concrete, faults: Faults) -> None:
         self.play = play
-        happenings = [_happening(event, index, concrete) for index, event in enumerate(play.events)]
+        happenings = [happening(event, index, concrete) for index, event in enumerate(play.events)]
         self.scripted = sorted(happenings, key=lambda event: event.time)
         self.last = self.scripted[-1].time + 1.0 if self.scripted else 0.0
         self._report(faults, happenings)
@@ -77,7 +77,7 @@ class Events:
                 faults.add("FS418", event.span)
 
 
-def _happening(event: Event, index: int, concrete: Concrete) -> Happening:
+def happening(event: Event, index: int, concrete: Concrete) -> Happening:
     time = concrete.amount(event.time, lambda: ("event", event.kind, event.text, event.person or ""), f"{index}")
     return Happening(event.kind, time, event.text, event.person)
 

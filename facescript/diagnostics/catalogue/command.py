@@ -7,6 +7,9 @@ from facescript.diagnostics.model import Severity
 
 HELLO = 'say "Hello."\n'
 
+CROWDED = "\n".join([*(f"face f{number} = woman" for number in range(40)), "f0: nod", ""])
+"""More faces than one plot has room for."""
+
 COMMAND: tuple[Entry, ...] = (
     Entry(
         "FS901",
@@ -102,7 +105,7 @@ COMMAND: tuple[Entry, ...] = (
         "`facescript {command}` is part of the language's design and not in this version.",
         HELLO,
         HELLO,
-        "`build`, `check`, `explain`, `fmt`, `list` and `new` run; the others are named so that one may plan.",
+        "`build`, `check`, `explain`, `fmt`, `list`, `new` and `plot` run; the others are named so that one may plan.",
         stage="command",
         command=("preview", "script.face"),
     ),
@@ -127,5 +130,61 @@ COMMAND: tuple[Entry, ...] = (
         "A script of definitions alone is for `use`; write what a face does below them, or in another script.",
         stage="command",
         command=("build", "script.face", "-o", "film.csv"),
+    ),
+    Entry(
+        "FS920",
+        "plot-channel",
+        Severity.ERROR,
+        "`{name}` is no channel{near}",
+        HELLO,
+        HELLO,
+        "`facescript list channels` has their names; `lid` means both sides, `ada.head.yaw` one face's.",
+        stage="command",
+        command=("plot", "script.face", "--channels", "head.yew", "-o", "plot.svg"),
+    ),
+    Entry(
+        "FS921",
+        "plot-size",
+        Severity.ERROR,
+        "{size} is too small for this plot; it needs at least {least}.",
+        HELLO,
+        HELLO,
+        "Each lane and each panel needs its room. With `--channels` there are fewer panels.",
+        stage="command",
+        command=("plot", "script.face", "--size", "500x40", "-o", "plot.svg"),
+    ),
+    Entry(
+        "FS922",
+        "plot-high",
+        Severity.ERROR,
+        "The plot would be {height} pixels high, and {most} is the most; plot less of it with `--channels`.",
+        CROWDED,
+        HELLO,
+        "Each face has a block of its own; `--channels ada.head.yaw` draws one face alone.",
+        stage="command",
+        command=("plot", "script.face", "-o", "plot.svg"),
+    ),
+    Entry(
+        "FS923",
+        "plot-unseen",
+        Severity.ERROR,
+        "No face of the script is seen, so that there is no {channels} to plot.",
+        'face narrator = unseen\nsay "Hello."\n',
+        HELLO,
+        "A face that is only heard has no channels; without `--channels` its speech is plotted.",
+        stage="command",
+        command=("plot", "script.face", "--channels", "head.yaw", "-o", "plot.svg"),
+    ),
+    Entry(
+        "FS924",
+        "plot-letters",
+        Severity.WARNING,
+        "The font of `{path}` has no {letters}: what has a plain letter under its sign is drawn as that, other "
+        "letters as boxes.",
+        'say "Café."\n',
+        HELLO,
+        "PNG plots are drawn with a font that has the letters of English alone. In an SVG all letters stand.",
+        stage="command",
+        command=("plot", "script.face", "-o", "plot.png"),
     ),
 )

@@ -1,0 +1,1 @@
+"""A score and its curves to one picture: lanes of acts over panels of channels."""
