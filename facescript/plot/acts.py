@@ -50,12 +50,17 @@ def film_lanes(score: Score, play: Play) -> Iterator[Lane]:
         yield Lane("scene", FILM, bars)
     for name, kind in (("background", SetBackground), ("view", View)):
         acts = [act for act in score.acts if isinstance(act.verb, kind)]
-        if any(act.start > score.scenes[act.scene].start for act in acts):
+        if len({act.verb for act in acts}) > 1 or any(_changes(score, act) for act in acts):
             yield Lane(name, FILM, tuple(_replaced(score, acts)))
     if play.events:
         concrete = Concrete(play.film.seed)
         told = [happening(event, number, concrete) for number, event in enumerate(play.events)]
         yield Lane("event", FILM, tuple(_event(each) for each in sorted(told, key=lambda each: each.time)))
+
+
+def _changes(score: Score, act: TimedAct) -> bool:
+    """Whether an act is more than what its scene begins with."""
+    return act.start > score.scenes[act.scene].start or act.settled > act.start
 
 
 def face_lanes(score: Score, face: Face) -> Iterator[Lane]:

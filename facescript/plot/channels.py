@@ -9,7 +9,8 @@ from functools import cache
 from facescript.performance.channels import CHANNELS, NAMES, SIDES
 from facescript.resolve.suggest import nearest
 
-UNITS = {"deg": "degrees", "cm": "cm", "1": "shares of 1"}
+UNITS = {"deg": "degrees", "cm": "cm", "1": "shares"}
+"""What the panel of a unit is called."""
 
 
 class PlotFault(Exception):
@@ -41,7 +42,6 @@ class Panel:
     """
 
     title: str
-    unit: str
     curves: tuple[Curve, ...]
     least: tuple[float, float]
     tall: float = 1.0
@@ -93,4 +93,4 @@ def _panels(names: Sequence[str]) -> Iterator[Panel]:
     for unit in dict.fromkeys(units[name] for name in names):
         curves = tuple(Curve(name, (name,)) for name in names if units[name] == unit)
         least = (0.0, 1.0) if unit == "1" else (-1.0, 1.0)
-        yield Panel(UNITS[unit], unit, curves, least, 1.2)
+        yield Panel(UNITS[unit], curves, least, 1.2)

@@ -10,6 +10,9 @@ from PIL import ImageFont
 FINE = 4
 """Text is measured and drawn at so many times its size, where letters stand where they should, not on whole pixels."""
 
+BIG = 40
+"""The size at which a letter is told from the box that stands for one that is lacking, px."""
+
 CUT = "…"
 """Stands for what does not fit."""
 
@@ -51,11 +54,12 @@ def drawable(text: str) -> str:
 @lru_cache(maxsize=8192)
 def has(letter: str) -> bool:
     """Whether the font has a letter: it draws a box for those that it has not."""
-    return letter == " " or (letter.isprintable() and _drawn(letter) != _drawn("\uffff"))
+    return letter == " " or (letter.isprintable() and bytes(font(BIG).getmask(letter)) != _box())
 
 
-def _drawn(letter: str) -> bytes:
-    return bytes(font(40).getmask(letter))
+@cache
+def _box() -> bytes:
+    return bytes(font(BIG).getmask("\uffff"))
 
 
 def _plain(letter: str) -> str:

@@ -115,7 +115,7 @@ class PanelStrip:
 
     def _legend(self, scale: Scale, top: float) -> Iterator[Mark]:
         """The panel's name, and a piece of each line beside its name."""
-        yield Text(scale.left + 8, top + 13, _title(self.panel), SMALL, "start", INK)
+        yield Text(scale.left + 8, top + 13, self.panel.title, SMALL, "start", INK)
         for (x, row), curve in self.legend:
             y = top + 9 + row * LEGEND_ROW
             if curve.channels:
@@ -210,7 +210,7 @@ def _entries(
         entries.append(Curve("target", ("target",), TARGET, DOTTED))
     if sound is not None and entries:
         entries.append(Curve("sound", (), SOUND))
-    first = scale.left + 8 + width(_title(panel), SMALL) + AFTER
+    first = scale.left + 8 + width(panel.title, SMALL) + AFTER
     x, row = first, 0
     for entry in entries:
         long = SAMPLE + 5 + width(entry.label, SMALL)
@@ -218,10 +218,6 @@ def _entries(
             x, row = first, row + 1
         yield (x, row), entry
         x += long + AFTER
-
-
-def _title(panel: Panel) -> str:
-    return panel.title if panel.unit == "1" else f"{panel.title}, {panel.unit}"
 
 
 def _places(scale: Scale, envelope: Envelope) -> NDArray[np.float64]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import ceil
 from typing import Protocol
 
 from facescript.backends.job import Job
@@ -77,9 +78,12 @@ def draw(job: Job, wanted: Asked) -> Drawing:
     """The plot of a job from its start to its end. Raises `PlotFault`."""
     wide = wanted.size[0] if wanted.size else WIDTH
     scale = Scale(LEFT, max(wide, NARROWEST) - RIGHT, job.start, job.end)
-    blocks = tuple(_blocks(job, wanted.channels, scale))
-    weight = sum(part.weight for block in blocks for part in block.strips)
-    fixed = TITLE + sum(block.fixed for block in blocks) - BETWEEN + BOTTOM
+    blocks, fixed, weight = [], float(TITLE - BETWEEN + BOTTOM), 0.0
+    for block in _blocks(job, wanted.channels, scale):
+        blocks.append(block)
+        fixed, weight = fixed + block.fixed, weight + sum(part.weight for part in block.strips)
+        if fixed + weight * INNER > HIGHEST:
+            raise PlotFault("FS922", most=HIGHEST)
     height, share = _height(fixed, weight, wanted)
     title = f"{wanted.name}, seed {job.score.film.seed}"
     marks = [box(0, 0, wide, height, PAPER), *_title(wanted.name, job, scale)]
@@ -92,9 +96,7 @@ def draw(job: Job, wanted: Asked) -> Drawing:
 
 def _height(fixed: float, weight: float, wanted: Asked) -> tuple[int, float]:
     """The picture's height, and how high the curves of a panel of weight 1 are."""
-    least = round(fixed + weight * INNER)
-    if least > HIGHEST:
-        raise PlotFault("FS922", height=least, most=HIGHEST)
+    least = ceil(fixed + weight * INNER)
     if wanted.size is None:
         share = min(TALL, (HIGHEST - fixed) / weight) if weight else 0.0
         return round(fixed + weight * share), share

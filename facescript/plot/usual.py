@@ -6,7 +6,7 @@ from facescript.performance.channels import MUSCLES, SIDES
 from facescript.plot.channels import Curve, Panel
 from facescript.plot.looks import BLACK, BLUE, GREEN, VERMILION
 
-TURNS, ROLLS, STIRS = 0.2, 3.0, 0.01
+TURNS, ROLLS, STIRS = 1.0, 3.0, 0.01
 """How far something must move to have its place: pitch and roll, deg; muscles and mouth, a share of 1."""
 
 DEGREES, SHARES = (-5.0, 5.0), (0.0, 1.0)
@@ -35,14 +35,14 @@ _MOUTH = (
 )
 
 USUAL: tuple[Panel, ...] = (
-    Panel("yaw", "deg", _gaze("yaw"), DEGREES, 1.3, target=0),
-    Panel("pitch", "deg", _gaze("pitch"), DEGREES, 1.0, TURNS, target=1),
-    Panel("roll", "deg", (Curve("head", ("head.roll",), VERMILION),), DEGREES, 0.6, ROLLS),
-    Panel("lids", "1", _LIDS, SHARES, 0.6),
-    Panel("muscles", "1", _MUSCLES, SHARES, 1.0, STIRS, each=True),
-    Panel("mouth", "1", _MOUTH, (0.0, 0.5), 0.9, STIRS, heard=True),
+    Panel("yaw, deg", _gaze("yaw"), DEGREES, 1.3, target=0),
+    Panel("pitch, deg", _gaze("pitch"), DEGREES, 1.0, TURNS, target=1),
+    Panel("roll, deg", (Curve("head", ("head.roll",), VERMILION),), DEGREES, 0.6, ROLLS),
+    Panel("lids", _LIDS, SHARES, 0.6),
+    Panel("muscles", _MUSCLES, SHARES, 1.0, STIRS, each=True),
+    Panel("mouth", _MOUTH, (0.0, 0.5), 0.9, STIRS, heard=True),
 )
 """What is shown of a face that is seen."""
 
-HEARD: tuple[Panel, ...] = (Panel("sound", "1", (), SHARES, 0.5, heard=True),)
+HEARD: tuple[Panel, ...] = (Panel("sound", (), SHARES, 0.5, heard=True),)
 """What is shown of a face that is only heard."""

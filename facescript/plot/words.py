@@ -18,7 +18,10 @@ ROW = 15
 """Height of a row of words, px."""
 
 MOST_ROWS = 3
-"""Rows of words; where they do not hold all, one row holds some, and how many is told."""
+"""Rows of words; those for which there is no room are left out, and how many stand there is told."""
+
+ENOUGH = 0.5
+"""Where there is room for fewer of the words than this, one row of them is as good."""
 
 FREE = 6
 """Pixels between two words."""
@@ -55,7 +58,7 @@ class WordStrip:
         return ROW * (1 + max([thinned, *(row for _, row, _ in self.words)])) + 4
 
     def marks(self, scale: Scale, top: float, height: float) -> Iterator[Mark]:
-        """Each word begins where it is spoken."""
+        """Each word begins where it is spoken, or at the right edge ends there."""
         yield Text(scale.left - 8, top + 11, "words", SMALL, "end", GREY)
         if len(self.words) < self.count:
             yield Text(scale.left - 8, top + 11 + ROW, f"{len(self.words)} of {self.count}", SMALL, "end", GREY)
@@ -72,7 +75,7 @@ def word_strip(lines: Sequence[TimedLine], scale: Scale) -> WordStrip | None:
         if line.start + word.start < line.end and scale.shows(line.start + word.start, line.start + word.end)
     )
     placed = tuple(_placed(spoken, scale, MOST_ROWS))
-    if len(placed) < len(spoken):
+    if len(placed) < ENOUGH * len(spoken):
         placed = tuple(_placed(spoken, scale, 1))
     return WordStrip(placed, len(spoken)) if spoken else None
 
@@ -81,9 +84,9 @@ def _placed(spoken: Sequence[tuple[float, str]], scale: Scale, rows: int) -> Ite
     """The words that find room in so many rows, each in the first that is free."""
     free = [scale.left] * rows
     for time, text in spoken:
-        x = scale.x(time)
-        end = x + width(text, SMALL)
+        long = width(text, SMALL)
+        x = min(scale.x(time), scale.right - long)
         row = next((row for row, until in enumerate(free) if until <= x), None)
-        if row is not None and end <= scale.right:
-            free[row] = end + FREE
+        if row is not None:
+            free[row] = x + long + FREE
             yield x, row, text

@@ -157,7 +157,7 @@ COMMAND: tuple[Entry, ...] = (
         "FS922",
         "plot-high",
         Severity.ERROR,
-        "The plot would be {height} pixels high, and {most} is the most; plot less of it with `--channels`.",
+        "The plot would be higher than {most} pixels, which is the most; plot less of it with `--channels`.",
         CROWDED,
         HELLO,
         "Each face has a block of its own; `--channels ada.head.yaw` draws one face alone.",
