@@ -1,4 +1,4 @@
-"""The README's pictures, made by the program itself: `python docs/make_pictures.py` writes docs/pictures/*.png."""
+"""The README's pictures and the manual's plots, made by the program: `python docs/make_pictures.py` writes them."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from facescript.backends.job import Job
 from facescript.backends.stills import write_png
+from facescript.cli.main import main as run
 from facescript.compile import compile_source
 from facescript.speech.voicebox import open_voice
 from facescript.text import Source
@@ -31,6 +32,13 @@ scene talk:
         ada: say "[smile 60%]Good evening, everyone. I have lost my cup."
         bruno: show inquisitive 70%
 """
+
+PLOTS = (
+    ("gaze", "gaze.face", "--to", "3.3s"),
+    ("dialogue", "dialogue.face", "--to", "2.45s", "--size", "1200x1280"),
+    ("life", "idle.face", "--to", "9s"),
+)
+"""Plots of examples that the manual shows: `plot-NAME.png`, the script, and how it is cut."""
 
 FEELING = "film 480x480\nface x{kind} = {kind}\n    life still\nscene a:\n    show {what}\n    wait 1s\n"
 
@@ -76,6 +84,14 @@ def main() -> None:
     )
     turned = [frame(LOOKS.format(kind=k, looks=how, yaw=y, pitch=p), 1.5) for k, how, y, p in looks]
     iio.imwrite(PLACE / "looks.png", grid([small(picture) for picture in turned], 4))
+    plots()
+
+
+def plots() -> None:
+    """The manual's plots."""
+    for name, script, *words in PLOTS:
+        picture = str(PLACE / f"plot-{name}.png")
+        assert run(["plot", str(PLACE.parents[1] / "examples" / script), "-o", picture, *words]) == 0, name
 
 
 def small(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -9,6 +9,7 @@ from math import inf
 
 from facescript.ir.acts import Add, Drop, Gesture, Glance, Look, Say, Scan, SetBackground, SetLife, Show, Verb, View
 from facescript.ir.play import Face, Play
+from facescript.motion.expression import layer
 from facescript.schedule.defaults import Concrete, seconds
 from facescript.schedule.events import Happening, happening
 from facescript.schedule.phrases import duration, phrase
@@ -126,7 +127,7 @@ def _shown(score: Score, acts: Sequence[TimedAct]) -> Iterator[Bar]:
         if isinstance(act.verb, Drop):
             yield _bar(act, act.start, act.start, act.settled)
         elif isinstance(act.verb, (Show, Add)):
-            apex = min(_risen(act), act.released)
+            apex = _risen(act)
             release, end = _gone(act, after.get(act.order), dropped, score.scenes[act.scene].end)
             yield _bar(act, apex, max(release, apex), max(end, apex))
 
@@ -147,8 +148,8 @@ def _gone(
 
 
 def _risen(act: TimedAct) -> float:
-    assert isinstance(act.verb, (Show, Add))
-    return act.start + seconds(act.verb.timing.over)
+    """When a show or an add is at its apex."""
+    return layer(act, {}).rise.end
 
 
 def _dropped(acts: Sequence[TimedAct]) -> dict[int, tuple[float, float]]:

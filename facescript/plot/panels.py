@@ -30,7 +30,7 @@ INNER = 50
 GAP = 8
 """Pixels between panels."""
 
-EDGE = 4
+EDGE = 6
 """Pixels that curves keep from a panel's frame."""
 
 APART = 19.0

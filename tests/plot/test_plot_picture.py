@@ -26,7 +26,7 @@ target lamp at 20deg 0deg 2m
 look at lamp over 400ms
 say "Here is the lamp"
     on "lamp": nod
-show smile 60% for 1s
+show smile 60% over 400ms for 1s back in 300ms
 """
 
 TWO = "face ada = woman\n    life still\nface bo = man\n    life still\n"
@@ -41,7 +41,7 @@ def test_small_script() -> None:
 def test_stretch_is_cut_at_the_edges() -> None:
     whole = plot(SMALL_SCRIPT, start=0.5, end=2.0, size=(900, 700))
     assert (whole.width, whole.height) == (900, 700)
-    assert "0.5 s to 2 s of 3 s" in " ".join(texts(whole))
+    assert "0.5 s to 2 s of 2.9 s" in " ".join(texts(whole))
     for mark in whole.marks:
         assert all(0 <= x <= 900 and 0 <= y <= 700 for x, y in points(mark)), mark
 
