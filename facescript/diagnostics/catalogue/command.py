@@ -149,9 +149,9 @@ COMMAND: tuple[Entry, ...] = (
         "{size} is too small for this plot; it needs at least {least}.",
         HELLO,
         HELLO,
-        "Each lane and each panel needs its room. With `--channels` there are fewer panels.",
+        "Each lane and each panel needs its room: fewer `--channels` need less.",
         stage="command",
-        command=("plot", "script.face", "--size", "500x40", "-o", "plot.svg"),
+        command=("plot", "script.face", "--channels", "head.yaw", "--size", "500x40", "-o", "plot.svg"),
     ),
     Entry(
         "FS922",
