@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from facescript.performance.channels import MOUTH
 from facescript.schedule.score import TimedLine
-from facescript.speech.mouthing import DECAY, FOLLOWED, GAP, PAUSE, MouthShape, arranged, lead, mouth_shapes
+from facescript.speech.mouthing import DECAY, FOLLOWED, GAP, PAUSE, MouthShape, arranged, breath, lead, mouth_shapes
 from facescript.speech.visemes import SHAPES, Values
 
 Floats = NDArray[np.float64]
@@ -92,7 +92,9 @@ def _with_rests(lines: Sequence[TimedLine]) -> tuple[MouthShape, ...]:
             continue
         sounding = [phone for phone in line.spoken.phones if phone.symbol]
         begins = min(line.start + sounding[0].start - lead(sounding[0]), shapes[0].on - 2 * GAP)
-        found += _rest(found, rested, begins, shapes[0].on) + shapes
+        rest = _rest(found, rested, begins, shapes[0].on)
+        parted = breath(begins, shapes[0].on, sounding[0]) if rest else []
+        found += [*rest, *parted, *shapes]
         rested = max(min(line.start + sounding[-1].end, line.end), shapes[-1].off) + DECAY
     return arranged([*found, MouthShape("rest", rested, rested)] if found else [])
 

@@ -19,8 +19,12 @@ SLACK = 0.015
 PAUSE = 0.2
 """Seconds of silence in which the mouth goes to rest."""
 
-LEAD, ROUNDED_LEAD = 0.12, 0.17
-"""Seconds from the first movement of the mouth to the first sound after a pause; rounding is seen earlier (bar L2)."""
+LEAD, ROUNDED_LEAD, PARTING_LEAD = 0.12, 0.17, 0.18
+"""Seconds from the first movement of the mouth to the first sound after a pause (bar L2). Rounding is seen earlier, and
+so are lips that part for a breath before they close on a p, b or m."""
+
+PARTED = 0.25
+"""The degree of shape h to which they part."""
 
 DECAY = 0.13
 """Seconds from the last sound to the mouth at rest (JALI: about 150 ms after)."""
@@ -136,13 +140,28 @@ def _rest(phone: PhoneTime, after: PhoneTime | None) -> list[MouthShape]:
     if phone.end - phone.start < PAUSE:
         return []
     on = min(phone.start + DECAY, (phone.start + phone.end) / 2)
-    return [MouthShape("rest", on, max(on, phone.end - lead(after)))]
+    off = max(on, phone.end - lead(after))
+    return [MouthShape("rest", on, off), *breath(off, phone.end - CLOSING, after)]
 
 
 def lead(first: PhoneTime | None) -> float:
     """How long before its first sound the mouth begins to move."""
-    found = visemes(first.symbol) if first and first.symbol else ()
-    return ROUNDED_LEAD if found and found[0].shape in ("u", "o") else LEAD
+    shape = _first_shape(first)
+    return ROUNDED_LEAD if shape in ("u", "o") else PARTING_LEAD if shape == "m" else LEAD
+
+
+def breath(begins: float, shut: float, first: PhoneTime | None) -> list[MouthShape]:
+    """Lips at rest that are to be `shut` for the first sound part a little after `begins`: else they would not be seen
+    to close."""
+    if _first_shape(first) != "m" or shut - begins < 2 * GAP:
+        return []
+    middle = (begins + shut) / 2
+    return [MouthShape("h", middle, middle, PARTED)]
+
+
+def _first_shape(phone: PhoneTime | None) -> str:
+    found = visemes(phone.symbol) if phone and phone.symbol else ()
+    return found[0].shape if found else ""
 
 
 def _given(phone: PhoneTime, after: PhoneTime | None) -> MouthShape:
@@ -188,8 +207,8 @@ def _consonant(viseme: Viseme, start: float, length: float, vowel: str) -> Mouth
 
 def _rounded_vowel(after: PhoneTime | None) -> str:
     """The rounded shape that the next phone begins with, or ""."""
-    found = visemes(after.symbol) if after and after.symbol else ()
-    return found[0].shape if found and found[0].shape in ("u", "o") else ""
+    shape = _first_shape(after)
+    return shape if shape in ("u", "o") else ""
 
 
 def _falls_away(viseme: Viseme, after: PhoneTime | None) -> bool:
