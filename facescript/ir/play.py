@@ -54,12 +54,14 @@ class FixedTarget:
 
 @dataclass(frozen=True, slots=True)
 class MovingTarget:
-    """Key places by time from the scene's start; smooth between, still before and after."""
+    """Key places by time from the scene's start; smooth between, still before and after. In the stretches `lost`
+    (from, to) nobody knows where it is: they begin and end at keys, or a day before and after the scene's start."""
 
     name: str
     times: tuple[float, ...]
     places: tuple[Point, ...]
     span: Span
+    lost: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

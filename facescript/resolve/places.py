@@ -5,14 +5,13 @@ from __future__ import annotations
 from math import cos, radians, sin
 
 from facescript.ir.values import PicturePlace, Point
-from facescript.resolve.arithmetic import Value
+from facescript.resolve.arithmetic import Value, checked
 from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
 from facescript.resolve.scope import Scope
 from facescript.resolve.sums import left_over, primary
 from facescript.resolve.units import ANGLE, LENGTH, SHARE
 from facescript.syntax import tree
-from facescript.text import Span
 
 FORMS = "`25deg 10deg 2m` (azimuth, elevation, distance), `10cm -12cm 20cm` (x, y, z) or `-25% 5%` (in the picture)"
 
@@ -27,7 +26,9 @@ def place(project: Project, reader: Reader) -> Point | PicturePlace:
     if kinds == [LENGTH, LENGTH, LENGTH]:
         return Point(*amounts)
     if kinds == [ANGLE, ANGLE, LENGTH]:
-        return _polar(project, amounts, reader.span)
+        if amounts[2] <= 0.0:
+            raise project.refuse("FS304", reader.span, text=reader.span.text, limits="distances above 0cm")
+        return polar(*amounts)
     raise project.refuse("FS330", reader.span, text=reader.span.text, forms=FORMS)
 
 
@@ -59,17 +60,16 @@ def _values(project: Project, reader: Reader) -> list[Value]:
 
 
 def _plain(project: Project, value: Value) -> float:
-    if not isinstance(value.amount, float):
-        raise project.refuse("FS307", value.span, text=value.span.text)
-    return value.amount
+    amount = checked(project, value, value.kind, None, draws=False)
+    assert isinstance(amount, float)
+    return amount
 
 
-def _polar(project: Project, amounts: list[float], span: Span) -> Point:
-    """Azimuth + is the viewer's right, elevation + up; from the picture's centre. Rounded to a millionth of a cm."""
-    azimuth, elevation, distance = radians(amounts[0]), radians(amounts[1]), amounts[2]
-    if distance <= 0.0:
-        raise project.refuse("FS304", span, text=span.text, limits="distances above 0cm")
-    x = distance * cos(elevation) * sin(azimuth)
-    y = distance * sin(elevation)
-    z = distance * cos(elevation) * cos(azimuth)
+def polar(azimuth: float, elevation: float, distance: float) -> Point:
+    """The place at an azimuth (deg, + is the viewer's right), an elevation (deg, + up) and a distance (cm) from the
+    picture's centre. Rounded to a millionth of a cm."""
+    side, up = radians(azimuth), radians(elevation)
+    x = distance * cos(up) * sin(side)
+    y = distance * sin(up)
+    z = distance * cos(up) * cos(side)
     return Point(round(x, 6) + 0.0, round(y, 6) + 0.0, round(z, 6) + 0.0)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Iterator
+from itertools import islice
 
 from facescript.resolve.files import project_path
 from facescript.resolve.project import Project
@@ -37,19 +39,28 @@ def _rows(project: Project, path: String, lines: list[list[str]]) -> tuple[Row, 
 
 
 def _lines(project: Project, path: String) -> list[list[str]]:
+    lines = list(islice(cells(project, path, LARGEST), MOST_ROWS + 2))
+    if len(lines) > MOST_ROWS + 1:
+        reason = f"it has more than {MOST_ROWS} rows"
+        raise project.refuse("FS703", path.span, path=path.value, reason=reason)
+    return lines
+
+
+def cells(project: Project, path: String, largest: int) -> Iterator[list[str]]:
+    """The rows of a CSV file of at most `largest` bytes as cells, read one by one, empty ones left out.
+
+    Raises `Refused` where the file cannot be read, and at the row that cannot.
+    """
     try:
-        text = project.world.read(project_path(path.span, path.value), LARGEST).decode("utf-8-sig")
-        lines = [cells for cells in csv.reader(io.StringIO(text, newline=""), strict=True) if any(cells)]
+        data = project.world.read(project_path(path.span, path.value), largest)
+        lines = io.TextIOWrapper(io.BytesIO(data), "utf-8-sig", newline="")
+        yield from (row for row in csv.reader(lines, strict=True) if any(row))
     except WorldFailure as failure:
         raise project.refuse("FS701", path.span, path=path.value, reason=failure.args[0]) from None
     except UnicodeDecodeError:
         raise project.refuse("FS701", path.span, path=path.value, reason="it is not UTF-8") from None
     except csv.Error as fault:
         raise project.refuse("FS703", path.span, path=path.value, reason=str(fault)) from None
-    if len(lines) > MOST_ROWS + 1:
-        reason = f"it has more than {MOST_ROWS} rows"
-        raise project.refuse("FS703", path.span, path=path.value, reason=reason)
-    return lines
 
 
 def _row(project: Project, path: String, number: int, header: list[str], cells: list[str]) -> Row:

@@ -10,13 +10,17 @@ from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader, over, spelled
 from facescript.resolve.scope import GLOBAL
 from facescript.resolve.sums import primary
+from facescript.resolve.tracks import track
 from facescript.resolve.units import TIME, article
-from facescript.syntax.tree import Declaration, Name, Phrase, Word
+from facescript.syntax.tree import Declaration, Name, Phrase, String, Word
 from facescript.syntax.tree import Point as PointWord
 from facescript.text import Span
 
 MOST_MEMBERS = 1_000
-FORM = "`target NAME at PLACE`, `target NAME moves` with keys below, or `target NAME of (PLACE) (PLACE)`"
+FORM = (
+    "`target NAME at PLACE`, `target NAME moves` with keys below, `target NAME of (PLACE) (PLACE)`, or "
+    '`target NAME from "track.csv"`'
+)
 
 
 def target(project: Project, node: Declaration) -> Target:
@@ -37,7 +41,7 @@ def target(project: Project, node: Declaration) -> Target:
     if how == "of":
         return _crowd(project, node, phrase.words[1:])
     if how == "from":
-        raise project.refuse("FS804", phrase.span)
+        return _tracked(project, node, phrase.words[1:])
     span = opener.span if opener is not None else node.span
     raise project.refuse("FS312", span, text=span.text, advice=f"it is written {FORM}")
 
@@ -88,6 +92,14 @@ def _key(project: Project, row: tuple[Phrase, ...]) -> tuple[float, Point]:
         raise project.refuse("FS330", over(rest), text=over(rest).text, forms="a place in the room, which can move")
     assert isinstance(time, float)
     return time, found
+
+
+def _tracked(project: Project, node: Declaration, words: tuple[Word, ...]) -> MovingTarget:
+    if len(words) != 1 or not isinstance(words[0], String):
+        span = over(words) if words else node.phrases[0].span
+        raise project.refuse("FS312", span, text=span.text, advice='a file stands behind `from`, as in "track.csv"')
+    found = track(project, words[0])
+    return MovingTarget(node.name.text, found.times, found.places, node.span, found.lost)
 
 
 def _crowd(project: Project, node: Declaration, words: tuple[Word, ...]) -> Crowd:

@@ -53,4 +53,41 @@ FILES: tuple[Entry, ...] = (
         'repeat trial in "trials.csv":\n    wait trial.soa\n',
         files={"empty.csv": "soa,cue\n", "trials.csv": "soa,cue\n105ms,left\n"},
     ),
+    Entry(
+        "FS706",
+        "track",
+        Severity.ERROR,
+        "The track “{path}” cannot be followed: {reason}.",
+        'target fly from "flat.csv"\nlook at fly\n',
+        'target fly from "track.csv"\nlook at fly\n',
+        "The first line names the columns: `time` and either `x`, `y`, `z` or `azimuth`, `elevation`, `distance`; others are "
+        "passed over. Times are in seconds from the scene's start, angles in degrees, all else in centimetres. The tracks "
+        "of a script have 250,000 rows at most: over an hour at 60 a second.",
+        files={"flat.csv": "time,x,y\n0,-30,0\n", "track.csv": "frame,time,x,y,z\n1,0,-30,0,200\n2,0.5,30,0,200\n"},
+    ),
+    Entry(
+        "FS707",
+        "track-cell",
+        Severity.ERROR,
+        "`{text}` in row {row}, column `{column}` of “{path}” {reason}.",
+        'target fly from "words.csv"\nlook at fly\n',
+        'target fly from "track.csv"\nlook at fly\n',
+        "A place that is empty, `nan` or `inf` is none: the target is not seen then. A time is always a number.",
+        files={
+            "words.csv": "time,x,y,z\n0,left,0,200\n",
+            "track.csv": "time,x,y,z\n0,-30,0,200\n0.1,nan,nan,nan\n0.2,,,\n0.3,30,0,200\n",
+        },
+    ),
+    Entry(
+        "FS708",
+        "track-order",
+        Severity.ERROR,
+        "The time `{text}` of row {row} of “{path}” does not come after the one before it.",
+        'target fly from "twice.csv"\nlook at fly\n',
+        'target fly from "track.csv"\nlook at fly\n',
+        files={
+            "twice.csv": "time,x,y,z\n0,-30,0,200\n0,30,0,200\n",
+            "track.csv": "time,x,y,z\n0,-30,0,200\n0.1,30,0,200\n",
+        },
+    ),
 )

@@ -32,15 +32,6 @@ LATER: tuple[Entry, ...] = (
         "show smile\n",
     ),
     Entry(
-        "FS804",
-        "later-track",
-        Severity.ERROR,
-        "A target that follows a file (`from`) is part of the language and not in this version.",
-        'target fly from "track.csv"\nlook at fly\n',
-        "target fly moves\n    0s -80cm 0cm 2m\n    4s 80cm 0cm 2m\nlook at fly\n",
-        "`moves` takes the places as keys.",
-    ),
-    Entry(
         "FS805",
         "later-animal",
         Severity.ERROR,
