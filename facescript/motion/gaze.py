@@ -22,6 +22,9 @@ __all__ = ["GazeTrack", "eyes", "midline"]
 
 Floats = NDArray[np.float64]
 
+AFTERWARDS = 1.0
+"""For so long after its scene's end it is still worked out how a target is followed, s."""
+
 
 class GazeTrack:
     """One face's gaze as a function of time; no state, any times in any order."""
@@ -34,7 +37,8 @@ class GazeTrack:
         for number, start in enumerate(self._starts):
             planned = [(plan.starts, act.order, plan) for act in acts if act.scene == number for plan in act.plan]
             plans = [plan for _, _, plan in sorted(planned, key=lambda each: each[:2])]
-            self._scenes.append(_Scene(room, face, float(start), plans))
+            end = score.scenes[number].end + AFTERWARDS if score.scenes else inf
+            self._scenes.append(_Scene(room, face, float(start), end, plans))
 
     def sight(self, times: Floats) -> Floats:
         """array[n, 3]: yaw and pitch (deg) of the line of sight as drawn, and the distance (cm) of convergence."""
@@ -58,10 +62,10 @@ class GazeTrack:
 class _Scene:
     """One scene of one face: its shifts laid over one another, for the line of sight, its nearness and the head."""
 
-    def __init__(self, room: Room, face: Face, start: float, plans: list[GazePlan]) -> None:
+    def __init__(self, room: Room, face: Face, start: float, end: float, plans: list[GazePlan]) -> None:
         eyes = in_effect((plan for plan in plans if plan.uses_eyes), lambda plan: plan.eye_onset)
         head = in_effect((plan for plan in plans if plan.uses_head), lambda plan: plan.head_onset)
-        bounds = {id(plan): Bound(room, face, start, plan, until) for plan, until in _untils(eyes, head)}
+        bounds = {id(plan): Bound(room, face, start, plan, min(until, end)) for plan, until in _untils(eyes, head)}
         first = rest(room, face, start)
         targets = [first, *(bounds[id(plan)] for plan in eyes)]
         self.head = Blend(first.head, [_turn(bounds[id(plan)]) for plan in head])

@@ -26,8 +26,8 @@ class Bound:
         self.room, self.face, self.scene, self.plan, self.until = room, face, scene, plan, until
 
     def sight(self, time: float) -> Sight:
-        """The line of sight to the target itself, within reach, at a time of the film."""
-        sight = self.room.sight(self.face.name, self.plan.aim, time - self.scene)
+        """The line of sight to the target itself, or to where it was in sight last, at a time of the film."""
+        sight = self.room.followed(self.face.name, self.plan.aim, time - self.scene)
         return Sight(*within((sight.yaw, sight.pitch)), sight.distance)
 
     def eyes(self, times: Floats) -> Floats:

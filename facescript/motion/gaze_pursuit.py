@@ -10,14 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from itertools import pairwise
 from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
 
 from facescript.motion.gaze_curves import Course, saccade_curve, through
-from facescript.space.main_sequence import saccade_part, saccade_time
+from facescript.space.main_sequence import HEAD_CEILING, saccade_part, saccade_time
 from facescript.space.reach import Direction
 from facescript.space.room import Sight
 
@@ -28,6 +27,13 @@ STEP = 0.005
 
 PURSUIT_STEPS, VERGENCE_STEPS = 26, 30
 """Delays of pursuit and of vergence (130 and 150 ms), in steps."""
+
+BEFORE = VERGENCE_STEPS + 2
+"""As many steps are looked back on when the following begins."""
+
+VERGENCE_RATE = 15.0
+"""How fast the eyes converge on what comes nearer (critically damped), 1/s: 5.5 deg/s for each degree, between the 4
+to 5 of pure vergence and the 14 to 18 of a target that is seen to come (motion.md section 4)."""
 
 DECIDING = 0.05
 """How long an error too large lasts before a saccade mends it, s: with the delay of sight, 180 ms after a jump."""
@@ -109,54 +115,66 @@ def follow(
 ) -> Following:
     """Follow `sight` (film's time to the line of sight to the target) from `start`, when the eyes have it, to `end`."""
     count = max(2, int((end - start) / STEP) + 2)
-    before = VERGENCE_STEPS + 2
-    seen = [sight(start + step * STEP) for step in range(-before, count)]
-    target = _Target([(s.yaw, s.pitch) for s in seen], before)
-    state = _Eyes(target.place[before], target.foreseen(0)[1], start, start)
-    places, heads = [], []
+    seen = _seen(sight, start, count)
+    foreseen = _foreseen(seen[:, :2], count)
+    state = _Eyes(tuple(seen[BEFORE, :2].tolist()), tuple(foreseen[0, 2:].tolist()), start, start)
+    places, heads = np.empty((count, 2)), np.empty((count, 2))
     head, turning = head_goal(state.place), (0.0, 0.0)
     for step in range(count):
         time = start + step * STEP
-        places.append(state.place)
-        heads.append(head)
-        _advance(state, target, step, time)
+        places[step], heads[step] = state.place, head
+        x, y, u, v = foreseen[step].tolist()
+        _advance(state, (x, y), (u, v), time)
         head, turning = _turn(head, turning, head_goal(state.total(time + STEP)))
-    nearness = np.array([[1.0 / s.distance] for s in seen[before - VERGENCE_STEPS : len(seen) - VERGENCE_STEPS]])
+    nearness = 1.0 / seen[BEFORE - VERGENCE_STEPS : len(seen) - VERGENCE_STEPS, 2]
     return Following(
-        through(start, STEP, np.array(places)),
+        through(start, STEP, places),
         state.saccades,
-        through(start, STEP, np.array(heads)),
-        through(start, STEP, nearness),
+        through(start, STEP, heads),
+        through(start, STEP, _converging(nearness)),
     )
 
 
-class _Target:
-    """The target's way on the grid: its places, velocities and accelerations, as far as an eye can tell."""
-
-    def __init__(self, place: list[Pair], before: int) -> None:
-        self.place, self.before = place, before
-        self.speed = [(0.0, 0.0)]
-        for one, other in pairwise(place):
-            speed = (other[0] - one[0]) / STEP, (other[1] - one[1]) / STEP
-            self.speed.append(speed if hypot(*speed) < FASTEST else (0.0, 0.0))
-        self.speed[0] = self.speed[1]
-
-    def foreseen(self, step: int) -> tuple[Pair, Pair]:
-        """The place and velocity to be expected at `step` from what was last seen before it."""
-        at = step + self.before - PURSUIT_STEPS
-        (x, y), (u, v), (u0, v0) = self.place[at], self.speed[at], self.speed[at - 1]
-        a, b = _at_most((u - u0) / STEP, (v - v0) / STEP, FORESEEN)
-        t = PURSUIT_STEPS * STEP
-        return (x + t * u + t * t * a / 2, y + t * v + t * t * b / 2), (u + t * a, v + t * b)
+def _seen(sight: Callable[[float], Sight], start: float, count: int) -> Floats:
+    """The line of sight to the target on the grid from `BEFORE` steps before `start` on: array[BEFORE + count, 3]."""
+    seen = np.empty((BEFORE + count, 3))
+    for row, step in zip(seen, range(-BEFORE, count), strict=True):
+        found = sight(start + step * STEP)
+        row[:] = found.yaw, found.pitch, found.distance
+    return seen
 
 
-def _advance(eyes: _Eyes, target: _Target, step: int, time: float) -> None:
-    """One step of the eyes: a catch-up saccade where one is due, and smooth pursuit."""
+def _foreseen(place: Floats, count: int) -> Floats:
+    """The place and velocity to be expected at each of `count` steps from what was last seen before it:
+    array[count, 4]."""
+    speed = np.diff(place, axis=0, prepend=place[:1]) / STEP
+    speed[0] = speed[1]
+    speed[np.hypot(*speed.T) >= FASTEST] = 0.0
+    ahead = np.diff(speed, axis=0, prepend=speed[:1]) / STEP
+    ahead *= FORESEEN / np.maximum(np.hypot(*ahead.T), FORESEEN)[:, None]
+    last, t = slice(BEFORE - PURSUIT_STEPS, BEFORE - PURSUIT_STEPS + count), PURSUIT_STEPS * STEP
+    place, speed, ahead = place[last], speed[last], ahead[last]
+    return np.concatenate([place + t * speed + t * t / 2 * ahead, speed + t * ahead], axis=1)
+
+
+def _converging(nearness: Floats) -> Floats:
+    """The nearness at which the eyes converge on the grid, which comes after the target's: array[n, 1]."""
+    converged = np.empty((len(nearness), 1))
+    near, pace = float(nearness[0]), 0.0
+    for step, goal in enumerate(nearness.tolist()):
+        converged[step] = near
+        pace += STEP * VERGENCE_RATE * (VERGENCE_RATE * (goal - near) - 2 * pace)
+        near += STEP * pace
+    return converged
+
+
+def _advance(eyes: _Eyes, place: Pair, speed: Pair, time: float) -> None:
+    """One step of the eyes, which expect the target at a place and with a speed: a catch-up saccade where one is due,
+    and smooth pursuit."""
     x, y = eyes.total(time)
-    (px, py), speed = target.foreseen(step)
     fast = hypot(*speed)
-    _catch_up(eyes, (px - x, py - y), speed, time)
-    slow = _at_most(2.0 * (px - x), 2.0 * (py - y), 0.3 + 0.03 * fast)
+    _catch_up(eyes, (place[0] - x, place[1] - y), speed, time)
+    slow = _at_most(2.0 * (place[0] - x), 2.0 * (place[1] - y), max(0.3, 0.05 * fast))
     share, old = STEP / SMOOTHING, eyes.speed
     wanted = gain(fast) * speed[0] + slow[0], gain(fast) * speed[1] + slow[1]
     eyes.speed = old[0] + share * (wanted[0] - old[0]), old[1] + share * (wanted[1] - old[1])
@@ -178,9 +196,9 @@ def _catch_up(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
 
 
 def _turn(head: Pair, turning: Pair, goal: Direction) -> tuple[Pair, Pair]:
-    """One step of the head towards its goal, critically damped."""
+    """One step of the head towards its goal, critically damped, never faster than its ceiling (bar H6)."""
     pull = [HEAD_RATE * HEAD_RATE * (g - h) - 2 * HEAD_RATE * t for g, h, t in zip(goal, head, turning, strict=True)]
-    turning = turning[0] + STEP * pull[0], turning[1] + STEP * pull[1]
+    turning = _at_most(turning[0] + STEP * pull[0], turning[1] + STEP * pull[1], HEAD_CEILING)
     return (head[0] + STEP * turning[0], head[1] + STEP * turning[1]), turning
 
 

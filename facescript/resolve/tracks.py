@@ -42,9 +42,10 @@ class Track:
 def track(project: Project, path: String) -> Track:
     """The track that a file holds. Raises `Refused`."""
     name = project_path(path.span, path.value)
-    if name not in project.tracks:
-        project.tracks[name] = _Reading(project, path).track()
-    return project.tracks[name]
+    known: Track | None = project.tracks.get(name)
+    if known is None:
+        known = project.tracks[name] = _Reading(project, path).track()
+    return known
 
 
 class _Reading:
@@ -135,5 +136,7 @@ class _Reading:
         return self.project.refuse("FS706", self.path.span, path=self.path.value, reason=reason)
 
     def _wrong(self, column: str, text: str, reason: str) -> Refused:
-        more = {"row": self.number, "column": column, "path": self.path.value}
-        return self.project.refuse("FS707", self.path.span, text=text[:40], reason=reason, **more)
+        span, path = self.path.span, self.path.value
+        return self.project.refuse(
+            "FS707", span, text=text[:40], row=self.number, column=column, path=path, reason=reason
+        )

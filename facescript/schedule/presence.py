@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import ceil, hypot
+from math import ceil, hypot, inf
 
 from facescript.ir.values import AtTarget
 from facescript.space.room import Room
@@ -73,7 +73,10 @@ class Presence:
 
     def _distance(self, person: str, time: float) -> float:
         self.asked += 1
-        point = self.room.point("", AtTarget(person), self.clock(time))
+        aim, clock = AtTarget(person), self.clock(time)
+        if self.room.lost(aim, clock):
+            return inf
+        point = self.room.point("", aim, clock)
         return hypot(point.x, point.y, point.z)
 
     def _moments(self, until: float) -> Iterator[float]:

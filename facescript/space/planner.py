@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from heapq import heapify, heappop, heappush
 from math import inf
 
 from facescript.ir.acts import GazeManner, Scan
@@ -14,9 +15,16 @@ from facescript.ir.values import Aim, AtCamera, Away, Towards
 from facescript.space.plan import GazePlan
 from facescript.space.reach import Direction
 from facescript.space.room import Room
+from facescript.space.sightings import HOLD, LATENCY, NOTICED, Absence
 from facescript.space.shift import Shifter, Wish, number
 
 Key = tuple[int, int]
+
+BEGINS, RELEASES, TURNS = 0, 1, 2
+"""What happens to a request: at one time, in this order."""
+
+JUDGED = 500
+"""At so many keys of a moving target, about, it is seen how far it is out of reach."""
 
 
 class TooMuchGaze(Exception):
@@ -107,6 +115,14 @@ class _Watched:
     short: Callable[[float], float]
 
 
+@dataclass(frozen=True, slots=True)
+class _Turn:
+    """When (scene's clock) the target of a request is let go of because it `leaves`, or is found again."""
+
+    clock: float
+    leaves: Absence | None
+
+
 class _Scene:
     """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift."""
 
@@ -118,12 +134,18 @@ class _Scene:
         self.aims: dict[Key, Aim] = {}
         self.watched: dict[str, _Watched] = {}
         self.plans: dict[Key, list[GazePlan]] = {}
+        self.changes: list[tuple[float, int, Key, GazeRequest]] = []
+        self.turns: dict[Key, _Turn] = {}
 
     def plan(self, requests: Sequence[GazeRequest]) -> dict[Key, tuple[GazePlan, ...]]:
-        changes = [(request.onset, 0, request.key, request) for request in requests]
-        changes += [(max(r.released, r.onset), 1, r.key, r) for r in requests if r.released < inf]
-        for time, letting_go, _, request in sorted(changes, key=lambda change: change[:3]):
-            if letting_go:
+        self.changes = [(request.onset, BEGINS, request.key, request) for request in requests]
+        self.changes += [(max(r.released, r.onset), RELEASES, r.key, r) for r in requests if r.released < inf]
+        heapify(self.changes)
+        while self.changes:
+            time, what, _, request = heappop(self.changes)
+            if what == TURNS:
+                self._turn(time, request)
+            elif what == RELEASES:
                 self._let_go(time, request)
             else:
                 self._begin(time, request)
@@ -142,12 +164,54 @@ class _Scene:
             aim = averted(self.shifter.eyes.goal(clock), self.room.film.seed, self.face.name, *place)
         self.aims[request.key] = aim
         self._take(request)
-        wish = Wish(aim, request.manner.parts, request.manner, request.over, request.glance, request.released)
+        seen = self._attend(request, clock, known=False)
+        wish = Wish(seen, request.manner.parts, request.manner, request.over, request.glance, request.released)
         part = "head" if request.manner.parts == "head only" else "eyes"
         for taken in (part,) if request.manner.parts == "eyes only" else (part, "head"):
             self._judge(taken, clock)
         self.plans[request.key] = [self.shifter.plan(clock, wish)]
-        self.watched[part] = _Watched(request.key, aim, clock, self.shifter.shortfall(wish))
+        self.watched[part] = _Watched(request.key, aim, clock, self.shifter.shortfall(replace(wish, aim=aim)))
+
+    def _attend(self, request: GazeRequest, clock: float, known: bool) -> Aim:
+        """What a request that has eyes or head from now on looks at: its aim, or the camera while its target is let go
+        of. Where the target is out of reach is `known` to one that comes back; a new one looks there first."""
+        aim = self.aims[request.key]
+        sightings = self.room.sightings(self.face.name, aim)
+        if sightings is None:
+            return aim
+        gone = sightings.at(clock)
+        if gone and (known or gone.lost) and clock >= gone.start + HOLD:
+            self._await(request, _Turn(max(gone.end + LATENCY, clock), None))
+            return AtCamera()
+        next_ = sightings.lets_go(clock)
+        self._await(request, _Turn(*next_) if next_ else None)
+        return aim
+
+    def _await(self, request: GazeRequest, turn: _Turn | None) -> None:
+        """Come back to a request when its target is let go of, or found again."""
+        self.turns.pop(request.key, None)
+        if turn is not None and turn.clock < inf:
+            self.turns[request.key] = turn
+            heappush(self.changes, (self.start + turn.clock, TURNS, request.key, request))
+
+    def _turn(self, time: float, request: GazeRequest) -> None:
+        """The target of a request is let go of, or found again, if that has eyes or head."""
+        turn = self.turns.get(request.key)
+        if turn is None or self.start + turn.clock != time:
+            return
+        del self.turns[request.key]
+        owners = self._owners()
+        eyes, head = owners.eyes is request, owners.head is request
+        if not eyes and not head:
+            return
+        parts = request.manner.parts if eyes and head else "eyes only" if eyes else "head only"
+        if turn.leaves:
+            self._await(request, _Turn(max(turn.leaves.end + LATENCY, turn.clock + NOTICED), None))
+            wish = Wish(AtCamera(), parts, GazeManner(parts, speed=request.manner.speed))
+        else:
+            aim = self._attend(request, turn.clock, known=False)
+            wish = Wish(aim, parts, request.manner, None, request.glance)
+        self.plans[request.key].append(self.shifter.plan(turn.clock, wish))
 
     def _judge(self, part: str, until: float) -> None:
         """The shift that has the eyes (or has the head and nothing else) loses them."""
@@ -159,13 +223,16 @@ class _Scene:
         """Note how far a shift that lasts until then stays short of its target, at worst."""
         moving = self.room.moving(shift.aim)
         keys = moving.times if moving else ()
-        times = [shift.start, *keys[bisect_right(keys, shift.start) : bisect_left(keys, until)]]
+        low, high = bisect_right(keys, shift.start), bisect_left(keys, until)
+        times = [shift.start, *keys[low : high : (high - low) // JUDGED + 1]]
         if moving and until < keys[-1]:
             times.append(until)
-        plan = self.plans[shift.key][0]
         short = max(shift.short(time) for time in times)
-        if short > 0.0:
-            self.plans[shift.key][0] = replace(plan, unreachable=short)
+        sightings, plan = self.room.sightings(self.face.name, shift.aim), self.plans[shift.key][0]
+        had = sightings.had(shift.start, until) if sightings else "in sight"
+        if short > 0.0 or had == "lost":
+            found = replace(plan, unreachable=short, at_times=had == "at times", lost=had == "lost")
+            self.plans[shift.key][0] = found
 
     def _let_go(self, time: float, request: GazeRequest) -> None:
         before = self._owners()
@@ -176,25 +243,26 @@ class _Scene:
         self.eyes.pop(request.key, None)
         self.head.pop(request.key, None)
         after = self._owners()
-        for wish in self._back(request, before, after):
-            self.plans[request.key].append(self.shifter.plan(time - self.start, wish))
+        clock = time - self.start
+        for wish in self._back(request, before, after, clock):
+            self.plans[request.key].append(self.shifter.plan(clock, wish))
 
-    def _back(self, request: GazeRequest, before: _Owners, after: _Owners) -> tuple[Wish, ...]:
+    def _back(self, request: GazeRequest, before: _Owners, after: _Owners, clock: float) -> tuple[Wish, ...]:
         """What eyes and head go back to; together where that is one and the same."""
         eyes, head = before.eyes is request, before.head is request
         if eyes and head and after.eyes is after.head:
             both = "head then eyes" if request.manner.parts == "head then eyes" else "eyes then head"
-            return (self._covered(after.eyes, both, request.manner),)
+            return (self._covered(after.eyes, both, request.manner, clock),)
         parts = [("eyes only", after.eyes)] if eyes else []
         parts += [("head only", after.head)] if head else []
-        return tuple(self._covered(owner, part, request.manner) for part, owner in parts)
+        return tuple(self._covered(owner, part, request.manner, clock) for part, owner in parts)
 
-    def _covered(self, owner: GazeRequest | None, parts: str, manner: GazeManner) -> Wish:
+    def _covered(self, owner: GazeRequest | None, parts: str, manner: GazeManner, clock: float) -> Wish:
         """The wish to go back to what `owner` looks at, at the speed of the one that lets go."""
         if owner is None:
             return Wish(AtCamera(), parts, GazeManner(speed=manner.speed))
         back = replace(owner.manner, speed=manner.speed)
-        return Wish(self.aims[owner.key], parts, back, None, owner.glance)
+        return Wish(self._attend(owner, clock, known=True), parts, back, None, owner.glance)
 
     def _owners(self) -> _Owners:
         return _Owners(

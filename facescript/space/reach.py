@@ -11,9 +11,9 @@ from math import acos, asin, atan2, cos, degrees, hypot, radians, sin, tanh
 from typing import Protocol
 
 from facescript.diagnostics.catalogue import diagnose
-from facescript.diagnostics.model import Diagnostics
+from facescript.diagnostics.model import Diagnostic, Diagnostics
+from facescript.space.direction import angles, towards
 from facescript.space.plan import GazePlan
-from facescript.space.room import angles, towards
 from facescript.text import Span
 
 EYE_SIDE, EYE_UP, EYE_DOWN = 45.0, 28.0, 47.0
@@ -57,15 +57,25 @@ def reach(score: Scored, diagnostics: Diagnostics) -> None:
     worst: dict[Span, GazePlan] = {}
     for act in score.acts:
         for plan in act.plan:
-            if plan.unreachable > worst[act.span].unreachable if act.span in worst else plan.unreachable > 0.0:
+            if act.span in worst:
+                bad = plan.unreachable > worst[act.span].unreachable
+            else:
+                bad = plan.lost or plan.unreachable > 0.0
+            if bad:
                 worst[act.span] = plan
     for span, plan in worst.items():
-        short = f"{plan.unreachable:.0f}deg"
-        if plan.parts in ALONE:
-            part, verb = ALONE[plan.parts]
-            diagnostics.add(diagnose("FS602", span, part=part, stay=verb, short=short))
-        else:
-            diagnostics.add(diagnose("FS601", span, short=short))
+        diagnostics.add(_missed(plan, span))
+
+
+def _missed(plan: GazePlan, span: Span) -> Diagnostic:
+    """What is said of a shift that stays short of its target."""
+    short = f"{plan.unreachable:.0f}deg"
+    if plan.unreachable == 0.0:
+        return diagnose("FS604", span)
+    if plan.parts in ALONE:
+        part, verb = ALONE[plan.parts]
+        return diagnose("FS602", span, part=part, stay=verb, short=short)
+    return diagnose("FS603" if plan.at_times else "FS601", span, short=short)
 
 
 def extent(eye: Direction) -> float:
@@ -73,10 +83,11 @@ def extent(eye: Direction) -> float:
     return hypot(eye[0] / EYE_SIDE, eye[1] / (EYE_UP if eye[1] > 0 else EYE_DOWN))
 
 
-def within(direction: Direction) -> Direction:
-    """The direction itself, or where it lies beyond what eyes and head together reach, the end of that."""
-    yaw = min(HEAD_SIDE + EYE_SIDE, max(-HEAD_SIDE - EYE_SIDE, direction[0]))
-    return yaw, min(HEAD_UP + EYE_UP, max(-HEAD_UP - EYE_DOWN, direction[1]))
+def within(direction: Direction, margin: float = 0.0) -> Direction:
+    """The direction itself, or where it lies beyond what eyes and head together reach, the end of that; `margin` is by
+    how many degrees less they reach."""
+    side, up, down = HEAD_SIDE + EYE_SIDE - margin, HEAD_UP + EYE_UP - margin, HEAD_UP + EYE_DOWN - margin
+    return min(side, max(-side, direction[0])), min(up, max(-down, direction[1]))
 
 
 def in_head(direction: Direction, head: Direction) -> Direction:

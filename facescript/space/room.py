@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import atan2, cos, degrees, hypot, inf, radians, sin
+from math import hypot, inf
 
 from facescript.ir.play import Crowd, Face, Film, FixedTarget, MovingTarget, Target
 from facescript.ir.values import (
@@ -18,8 +18,10 @@ from facescript.ir.values import (
     Point,
     Towards,
 )
+from facescript.space.direction import angles, towards
 from facescript.space.layout import EYES, MOUTH, lay_out
 from facescript.space.path import Path
+from facescript.space.sightings import Sightings
 
 CAMERA_CM = 60.0
 """How far straight ahead the camera is, cm."""
@@ -32,6 +34,9 @@ AHEAD_CM = 600.0
 
 NEAREST_CM = 8.0
 """The nearest point both eyes can converge on, cm."""
+
+FARTHEST_CM = 1e7
+"""Beyond this both eyes look straight on, cm; so far a script's places lie at most."""
 
 PEOPLE = "people"
 """The crowd of those whom the camera sees."""
@@ -59,6 +64,7 @@ class Room:
         self._eyes: dict[str, tuple[float, float]] = {}
         self._still: dict[tuple[str, Aim], Sight] = {}
         self._paths: dict[str, Path] = {}
+        self._sightings: dict[tuple[str, str], Sightings] = {}
         self._crowds: dict[str, tuple[Aim, ...]] = {}
 
     def bind(
@@ -103,8 +109,13 @@ class Room:
         return AtFace(name) if name in self.layout.standings else None
 
     def nearest_first(self, face: str, aims: Sequence[Aim], time: float) -> tuple[Aim, ...]:
-        """The aims by their distance from the face at `time`."""
-        return tuple(sorted(aims, key=lambda aim: self.sight(face, aim, time).distance))
+        """The aims by their distance from the face at `time`, those that are lost last."""
+        return tuple(sorted(aims, key=lambda aim: (self.lost(aim, time), self.sight(face, aim, time).distance)))
+
+    def lost(self, aim: Aim, time: float) -> bool:
+        """Whether nobody knows where the target of a definite aim is at `time`."""
+        target = self.moving(aim)
+        return target is not None and bool(target.lost) and self._path(target).known(time) < time
 
     def moving(self, aim: Aim) -> MovingTarget | None:
         """The moving target that a definite aim is at, if it is one."""
@@ -140,6 +151,27 @@ class Room:
             known = self._still[face, aim] = self._sight(face, aim, time)
         return known
 
+    def sightings(self, face: str, aim: Aim) -> Sightings | None:
+        """When a face has the moving target of a definite aim in sight; None for what does not move."""
+        target = self.moving(aim)
+        if target is None:
+            return None
+        known = self._sightings.get((face, target.name))
+        if known is None:
+            path, height = self._path(target), self.layout.part(face, EYES)[1]
+            known = Sightings(path, lambda time: self._angles(face, path.at(time)), height)
+            self._sightings[face, target.name] = known
+        return known
+
+    def followed(self, face: str, aim: Aim, time: float) -> Sight:
+        """The line of sight to a definite aim, or to where it was in sight last."""
+        sightings = self.sightings(face, aim)
+        return self.sight(face, aim, sightings.last(time) if sightings else time)
+
+    def _angles(self, face: str, point: Point) -> tuple[float, float]:
+        sight = self._seen(face, point, in_picture=False)
+        return sight.yaw, sight.pitch
+
     def _sight(self, face: str, aim: Aim, time: float) -> Sight:
         if isinstance(aim, Towards):
             return Sight(_number(aim.yaw), _number(aim.pitch), AHEAD_CM)
@@ -153,12 +185,12 @@ class Room:
         x, y, z = point.x - eyes[0], point.y - eyes[1], point.z
         yaw, pitch = angles(x, y, z)
         scale = 1.0 if in_picture else screen_fraction(self.film.screen, z)
-        return Sight(yaw * scale, pitch * scale, max(NEAREST_CM, hypot(x, y, z)))
+        return Sight(yaw * scale, pitch * scale, min(FARTHEST_CM, max(NEAREST_CM, hypot(x, y, z))))
 
     def _path(self, target: MovingTarget) -> Path:
         known = self._paths.get(target.name)
         if known is None:
-            known = self._paths[target.name] = Path(target.times, target.places)
+            known = self._paths[target.name] = Path(target.times, target.places, target.lost)
         return known
 
     def _in_picture(self, aim: Aim) -> bool:
@@ -182,17 +214,6 @@ def screen_fraction(fraction: float, z: float) -> float:
     smoothly to 1 at the screen ("The flat screen"; first seed, column 12)."""
     near = min(1.0, max(0.0, z / PICTURE_CM))
     return 1.0 + (fraction - 1.0) * near * near * (3.0 - 2.0 * near)
-
-
-def towards(yaw: float, pitch: float) -> tuple[float, float, float]:
-    """The unit vector (x right, y up, z to the viewer) of a direction in deg: yaw, then pitch."""
-    y, p = radians(yaw), radians(pitch)
-    return sin(y) * cos(p), sin(p), cos(y) * cos(p)
-
-
-def angles(x: float, y: float, z: float) -> tuple[float, float]:
-    """Yaw and pitch (deg) of a vector, the inverse of `towards`."""
-    return degrees(atan2(x, z)), degrees(atan2(y, hypot(x, z)))
 
 
 def _number(amount: float | Draw) -> float:

@@ -227,7 +227,7 @@ class Shifter:
 
     def _directed(self, aim: Aim) -> Goal:
         def direction(time: float) -> Direction:
-            sight = self.room.sight(self.face.name, aim, time)
+            sight = self.room.followed(self.face.name, aim, time)
             return within((sight.yaw, sight.pitch))
 
         if self.room.moving(aim):

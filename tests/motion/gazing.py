@@ -12,8 +12,9 @@ from facescript.ir.play import Face, Film, FixedTarget, MovingTarget, Target
 from facescript.ir.values import AtCamera, AtTarget, Point
 from facescript.motion.gaze import GazeTrack, eyes, midline
 from facescript.schedule.score import Score, TimedAct, TimedScene
+from facescript.space.direction import towards
 from facescript.space.planner import GazeRequest, plan_gaze
-from facescript.space.room import Room, towards
+from facescript.space.room import Room
 from facescript.text import Source, Span
 
 HERE = Span(Source("made.face", ""), 0, 0)

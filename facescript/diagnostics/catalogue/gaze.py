@@ -28,6 +28,26 @@ GAZE: tuple[Entry, ...] = (
         "reach of the one (45 degrees sideways) is not reached, and nothing else helps.",
     ),
     Entry(
+        "FS603",
+        "target-leaves-reach",
+        Severity.WARNING,
+        "This target is up to {short} beyond what eyes and head reach for a part of the time: gaze lets go of it then.",
+        "target walker moves\n    0s -80cm 0cm 1m\n    4s 80cm 0cm -1m\n    8s 80cm 0cm 1m\nlook at walker\n",
+        "target walker moves\n    0s -80cm 0cm 1m\n    8s 80cm 0cm 1m\nlook at walker\n",
+        "A target that moves out of reach is looked after for half a second, then the eyes go back to the camera; when it "
+        "is back it is found again. One that is out of reach all the while is FS601.",
+    ),
+    Entry(
+        "FS604",
+        "target-lost",
+        Severity.WARNING,
+        "Where this target is while it is looked at is not in its track: there is nothing to see.",
+        'target ann from "track.csv"\nlook at ann for 1s\n',
+        'target ann from "track.csv"\nwait 1.5s\nlook at ann for 1s\n',
+        "A target that is lost in its track is let go of like one that leaves reach, and found again once it is back.",
+        files={"track.csv": "time,x,y,z\n0,,,\n1.5,-30,0,200\n3,30,0,200\n"},
+    ),
+    Entry(
         "FS607",
         "look-too-fast",
         Severity.WARNING,
