@@ -93,7 +93,8 @@ class _Reading:
     def _keys(self) -> Iterator[tuple[float, Point | None]]:
         """The time and the place of each row; no place where the target is not seen."""
         known = sum(len(other.times) for other in self.project.tracks.values())
-        for self.number, row in enumerate(self.rows, 1):
+        for row in self.rows:
+            self.number += 1
             if self.number + known > MOST_KEYS:
                 raise self._refused(f"the tracks of this script have more than {MOST_KEYS} rows")
             texts = [row[column].strip() if column < len(row) else "" for _, column in self.places]

@@ -15,8 +15,8 @@ from facescript.ir.values import Aim, AtCamera, Away, Towards
 from facescript.space.plan import GazePlan
 from facescript.space.reach import Direction
 from facescript.space.room import Room
-from facescript.space.sightings import HOLD, LATENCY, NOTICED, Absence
 from facescript.space.shift import Shifter, Wish, number
+from facescript.space.sightings import HOLD, LATENCY, NOTICED, Absence
 
 Key = tuple[int, int]
 

@@ -34,8 +34,8 @@ GAZE: tuple[Entry, ...] = (
         "This target is up to {short} beyond what eyes and head reach for a part of the time: gaze lets go of it then.",
         "target walker moves\n    0s -80cm 0cm 1m\n    4s 80cm 0cm -1m\n    8s 80cm 0cm 1m\nlook at walker\n",
         "target walker moves\n    0s -80cm 0cm 1m\n    8s 80cm 0cm 1m\nlook at walker\n",
-        "A target that moves out of reach is looked after for half a second, then the eyes go back to the camera; when it "
-        "is back it is found again. One that is out of reach all the while is FS601.",
+        "A target that moves out of reach is looked after for half a second, then the eyes go back to the camera; when "
+        "it is back it is found again. One that is out of reach all the while is FS601.",
     ),
     Entry(
         "FS604",
