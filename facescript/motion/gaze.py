@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.ir.play import Face
-from facescript.motion.gaze_aims import Bound, in_effect, rest
+from facescript.motion.gaze_aims import Bound, Until, in_effect, rest
 from facescript.motion.gaze_curves import Blend, Course, Movement, minimum_jerk_curve, saccade_curve
 from facescript.motion.gaze_eyes import eyes, midline, within_reach
 from facescript.schedule.score import Score
@@ -65,7 +65,8 @@ class _Scene:
     def __init__(self, room: Room, face: Face, start: float, end: float, plans: list[GazePlan]) -> None:
         eyes = in_effect((plan for plan in plans if plan.uses_eyes), lambda plan: plan.eye_onset)
         head = in_effect((plan for plan in plans if plan.uses_head), lambda plan: plan.head_onset)
-        bounds = {id(plan): Bound(room, face, start, plan, min(until, end)) for plan, until in _untils(eyes, head)}
+        untils = _untils(eyes, head, end)
+        bounds = {id(plan): Bound(room, face, start, plan, untils[id(plan)]) for plan in (*eyes, *head)}
         first = rest(room, face, start)
         targets = [first, *(bounds[id(plan)] for plan in eyes)]
         self.head = Blend(first.head, [_turn(bounds[id(plan)]) for plan in head])
@@ -80,14 +81,18 @@ class _Scene:
         return np.concatenate([self.eyes.at(times), 1.0 / self.nearness.at(times)], axis=1)
 
 
-def _untils(eyes: list[GazePlan], head: list[GazePlan]) -> list[tuple[GazePlan, float]]:
-    """Each plan with the time from which nothing of it is left in eyes or head."""
-    until: dict[int, float] = {}
+def _untils(eyes: list[GazePlan], head: list[GazePlan], end: float) -> dict[int, Until]:
+    """Until when each plan has eyes and head, by its identity; nothing of it is left after its scene's `end`."""
+    found = {id(plan): Until() for plan in (*eyes, *head)}
     for plan, after in zip_longest(eyes, eyes[1:]):
-        until[id(plan)] = after.eye_done + VERGENCE_TIME if after else inf
+        until = found[id(plan)]
+        until.eyes = after.eye_onset if after else inf
+        until.gone = min(end, after.eye_done + VERGENCE_TIME if after else inf)
     for plan, after in zip_longest(head, head[1:]):
-        until[id(plan)] = max(until.get(id(plan), 0.0), after.head_done if after else inf)
-    return [(plan, until[id(plan)]) for plan in {id(plan): plan for plan in [*eyes, *head]}.values()]
+        until = found[id(plan)]
+        until.head = after.head_onset if after else inf
+        until.gone = min(end, max(until.gone, after.head_done if after else inf))
+    return found
 
 
 def _saccade(bound: Bound, course: Course) -> Movement:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from functools import cached_property
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +13,7 @@ from numpy.typing import NDArray
 from facescript.ir.play import Face
 from facescript.ir.values import AtCamera
 from facescript.motion.gaze_curves import still
-from facescript.motion.gaze_pursuit import AFTER, Following, follow
+from facescript.motion.gaze_pursuit import AFTER, Following, Spell, follow
 from facescript.space.plan import GazePlan
 from facescript.space.reach import head_goal, within
 from facescript.space.room import Room, Sight
@@ -19,10 +21,19 @@ from facescript.space.room import Room, Sight
 Floats = NDArray[np.float64]
 
 
+@dataclass(slots=True)
+class Until:
+    """Until when a plan has the eyes, and the head, and when nothing of it is left, seconds of the film."""
+
+    eyes: float = inf
+    head: float = inf
+    gone: float = 0.0
+
+
 class Bound:
     """What one plan is bound for, as courses over the film's time; a pursuit is worked out when first asked for."""
 
-    def __init__(self, room: Room, face: Face, scene: float, plan: GazePlan, until: float) -> None:
+    def __init__(self, room: Room, face: Face, scene: float, plan: GazePlan, until: Until) -> None:
         self.room, self.face, self.scene, self.plan, self.until = room, face, scene, plan, until
 
     def sight(self, time: float) -> Sight:
@@ -47,7 +58,9 @@ class Bound:
         moving = self.room.moving(self.plan.aim)
         start = self.plan.starts
         if moving and start < (last := self.scene + moving.times[-1] + AFTER):
-            return follow(self.sight, self._head_goal, start, min(last, self.until))
+            plan, until = self.plan, self.until
+            spell = Spell(start, plan.eye_onset, plan.eye_done, plan.head_done, until.eyes, until.head)
+            return follow(self.sight, self._head_goal, spell, min(last, until.gone))
         sight = self.sight(start)
         place = sight.yaw, sight.pitch
         return Following(still(place), [], still(self._head_goal(place)), still([1.0 / sight.distance]))
@@ -59,7 +72,7 @@ class Bound:
 def rest(room: Room, face: Face, scene: float) -> Bound:
     """What every scene begins with: the camera."""
     plan = GazePlan(AtCamera(), "eyes then head", scene, scene, scene, scene, (0.0, 0.0), 0.0)
-    return Bound(room, face, scene, plan, scene)
+    return Bound(room, face, scene, plan, Until(scene, scene, scene))
 
 
 def in_effect(plans: Iterable[GazePlan], onset: Callable[[GazePlan], float]) -> list[GazePlan]:

@@ -91,12 +91,13 @@ class Following:
 @dataclass(slots=True)
 class _Eyes:
     """The state of the eyes at one step: smooth position and velocity, since when a saccade may be made (`ready`) and
-    the error has been too large (`amiss`), the saccades made and their sum."""
+    the error has been too large (`amiss`), from when on none is begun (`until`), the saccades made and their sum."""
 
     place: Pair
     speed: Pair
     ready: float
     amiss: float
+    until: float
     jumped: Pair = (0.0, 0.0)
     saccades: list[tuple[float, float, Pair]] = field(default_factory=list)
 
@@ -110,22 +111,47 @@ class _Eyes:
         return x, y
 
 
+@dataclass(frozen=True, slots=True)
+class Spell:
+    """When a shift has the eyes and the head that follow, seconds of the film: from its `start` on; the eyes `leave` for
+    the target and have `landed`, the head has `turned` to it; from `eyes_until` and `head_until` on the next shift
+    takes them elsewhere."""
+
+    start: float
+    leave: float
+    landed: float
+    turned: float
+    eyes_until: float
+    head_until: float
+
+
 def follow(
-    sight: Callable[[float], Sight], head_goal: Callable[[Direction], Direction], start: float, end: float
+    sight: Callable[[float], Sight], head_goal: Callable[[Direction], Direction], spell: Spell, end: float
 ) -> Following:
-    """Follow `sight` (film's time to the line of sight to the target) from `start`, when the eyes have it, to `end`."""
+    """Follow `sight` (film's time to the line of sight to the target) to the time `end`.
+
+    The eyes are on the target when they leave for it, and make no other saccade before they have landed nor once they
+    are taken elsewhere. The head turns to where the target is at the start, and follows from then on.
+    """
+    start = spell.start
     count = max(2, int((end - start) / STEP) + 2)
     seen = _seen(sight, start, count)
     foreseen = _foreseen(seen[:, :2], count)
-    state = _Eyes(tuple(seen[BEFORE, :2].tolist()), tuple(foreseen[0, 2:].tolist()), start, start)
+    first = min(count - 1, max(0, int((spell.leave - start) / STEP)))
+    state = _Eyes(_pair(seen[BEFORE + first]), _pair(foreseen[first, 2:]), spell.landed, spell.landed, spell.eyes_until)
     places, heads = np.empty((count, 2)), np.empty((count, 2))
-    head, turning = head_goal(state.place), (0.0, 0.0)
+    head, turning = head_goal(_pair(seen[BEFORE])), (0.0, 0.0)
     for step in range(count):
         time = start + step * STEP
         places[step], heads[step] = state.place, head
-        x, y, u, v = foreseen[step].tolist()
-        _advance(state, (x, y), (u, v), time)
-        head, turning = _turn(head, turning, head_goal(state.total(time + STEP)))
+        if step >= first:
+            x, y, u, v = foreseen[step].tolist()
+            _advance(state, (x, y), (u, v), time)
+        if spell.turned <= time < spell.head_until:
+            head, turning = _turn(head, turning, head_goal(state.total(time + STEP)))
+        else:
+            stop = head[0] + turning[0] / HEAD_RATE, head[1] + turning[1] / HEAD_RATE
+            head, turning = _turn(head, turning, stop)
     nearness = 1.0 / seen[BEFORE - VERGENCE_STEPS : len(seen) - VERGENCE_STEPS, 2]
     return Following(
         through(start, STEP, places),
@@ -133,6 +159,10 @@ def follow(
         through(start, STEP, heads),
         through(start, STEP, _converging(nearness)),
     )
+
+
+def _pair(row: Floats) -> Pair:
+    return float(row[0]), float(row[1])
 
 
 def _seen(sight: Callable[[float], Sight], start: float, count: int) -> Floats:
@@ -186,7 +216,7 @@ def _catch_up(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
     """A saccade to where the target will be when it lands, if the error has been too large for long enough."""
     if hypot(*error) <= tolerated(hypot(*speed)):
         eyes.amiss = time + STEP
-    if time < max(eyes.ready, eyes.amiss + DECIDING):
+    if not max(eyes.ready, eyes.amiss + DECIDING) <= time < eyes.until:
         return
     lasts = saccade_time(hypot(*error))
     way = error[0] + lasts * (speed[0] - eyes.speed[0]), error[1] + lasts * (speed[1] - eyes.speed[1])

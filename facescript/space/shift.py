@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from math import hypot, inf
@@ -55,8 +55,11 @@ WAIT_STRIDE = 16
 FOLLOWING = 3
 """A movement that follows a target is so much dearer to work out than one to a place."""
 
-BEHIND = 0.18
-"""How far behind a target that sets off its follower may be, s: it sees with a delay, and then decides (bar S7)."""
+BEHIND = (0.1, 0.18, 0.25, 0.5, 0.75)
+"""So long ago is looked where a followed target was, s: eyes and head see it late, and come after it by and by."""
+
+FAR, FAST = 5.0, 25.0
+"""A target that has gone further (deg, and deg for each s) is one that eyes and head may not have come after yet."""
 
 MOST_LAID = 32
 """As many movements may lie over each other; older ones of a part are taken to be done."""
@@ -122,15 +125,23 @@ class Past:
 
     def way(self, goal: Goal, time: float) -> float:
         """How far a movement that sets off at `time` has to go to `goal`, deg: from where the part is then, or from
-        where it is bound for if that is further, for a movement that is interrupted goes on under the next; and what
-        follows a target is a little behind it."""
-        there, last = goal(time), self.moves[-1]
-        ways = [_distance(there, self.at(time))]
-        if last.done > time:
-            ways.append(_distance(there, last.goal(time)))
-        if last.cost > 1:
-            ways.append(_distance(there, last.goal(time - BEHIND)))
-        return max(ways)
+        where it is bound for if that is further, for a movement that is interrupted goes on under the next. What
+        follows a target may not be there yet: where that has been counts too."""
+        there = goal(time)
+        return max(_distance(there, place) for place in (self.at(time), *self._places(time)))
+
+    def _places(self, time: float) -> Iterator[Direction]:
+        """Where the part may be or get to, by the movements that are not over at `time`."""
+        for number, move in enumerate(reversed(self.moves[-MOST_LAID:])):
+            now = move.goal(time)
+            if not number and time < move.done:
+                yield now
+            if move.cost > 1:
+                late = [(move.goal(max(time - lag, move.onset)), FAR + FAST * lag) for lag in BEHIND]
+                self.worked += move.cost * (len(BEHIND) + 1)
+                yield from (place for place, far in late if _distance(place, now) > far)
+            if time >= move.done:
+                return
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,7 +188,9 @@ class Shifter:
         if eyes:
             self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target, cost))
         if head:
-            self.head.moves.append(Move(times.head_onset, times.head_done, turned, cost))
+            first, done = turned(time), times.head_done
+            follows = (lambda now: turned(now) if now >= done else first) if cost > 1 else turned
+            self.head.moves.append(Move(times.head_onset, done, follows, cost))
         landed = self._landed(times, target) if eyes else times.head_done
         return GazePlan(
             aim=wish.aim,
