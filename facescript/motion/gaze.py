@@ -16,7 +16,7 @@ from facescript.motion.gaze_eyes import eyes, midline, within_reach
 from facescript.schedule.score import Score
 from facescript.space.main_sequence import VERGENCE_TIME, vergence_share
 from facescript.space.plan import GazePlan
-from facescript.space.room import Room
+from facescript.space.room import FARTHEST_CM, Room
 
 __all__ = ["GazeTrack", "eyes", "midline"]
 
@@ -78,7 +78,8 @@ class _Scene:
         return lambda times: within_reach(course(times), self.head.at(times))
 
     def sight(self, times: Floats) -> Floats:
-        return np.concatenate([self.eyes.at(times), 1.0 / self.nearness.at(times)], axis=1)
+        nearness = np.maximum(self.nearness.at(times), 1.0 / FARTHEST_CM)
+        return np.concatenate([self.eyes.at(times), 1.0 / nearness], axis=1)
 
 
 def _untils(eyes: list[GazePlan], head: list[GazePlan], end: float) -> dict[int, Until]:

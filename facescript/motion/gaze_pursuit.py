@@ -113,8 +113,8 @@ class _Eyes:
 
 @dataclass(frozen=True, slots=True)
 class Spell:
-    """When a shift has the eyes and the head that follow, seconds of the film: from its `start` on; the eyes `leave` for
-    the target and have `landed`, the head has `turned` to it; from `eyes_until` and `head_until` on the next shift
+    """When a shift has the eyes and the head that follow, seconds of the film: from its `start` on; the eyes `leave`
+    for the target and have `landed`, the head has `turned` to it; from `eyes_until` and `head_until` on the next shift
     takes them elsewhere."""
 
     start: float

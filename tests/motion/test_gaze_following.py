@@ -80,7 +80,7 @@ keys = st.lists(
 @settings(max_examples=40, deadline=None)
 @given(keys, st.floats(0.0, 1.0))
 def test_whatever_a_target_does_nothing_jumps_or_jolts(drawn: list[tuple[float, tuple]], start: float) -> None:
-    """At 1000 Hz: 0.75 deg of gaze, 0.32 of head; steps of speed of 100 deg/s of an eye, 10 of the head (bars S8, H6)."""
+    """At 1000 Hz at most 0.75 deg of gaze, 0.32 of head, steps of speed of 100 deg/s of an eye and 10 of the head."""
     times = np.cumsum([0.3, *(wait for wait, _ in drawn[1:])]).tolist()
     target = MovingTarget("visitor", tuple(times), tuple(Point(*place) for _, place in drawn), HERE)
     seen = trace([target], [request(0, "visitor", start)], times[-1] + 2.5)

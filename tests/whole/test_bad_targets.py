@@ -91,7 +91,8 @@ def test_eyes_cross_no_further_than_for_the_near_point(tmp_path: Path) -> None:
     """The near point is 8 cm away; the eyes are 6.3 cm apart."""
     crossed = []
     for distance in ("8cm", "4cm", "0.5cm"):
-        text = f"film screen none\nface ada = woman\n    life still\ntarget fly at 0cm 1.640625cm {distance}\nlook at fly\nwait 2s\n"
+        start = "film screen none\nface ada = woman\n    life still\n"
+        text = f"{start}target fly at 0cm 1.640625cm {distance}\nlook at fly\nwait 2s\n"
         pose = channels(text, tmp_path, np.array([1.9]))[0]
         crossed.append(pose[INDEX["eye.right.yaw"]] - pose[INDEX["eye.left.yaw"]])
     assert crossed == pytest.approx([2 * np.degrees(np.arctan(3.15 / 8))] * 3, abs=0.3)

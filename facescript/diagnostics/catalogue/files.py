@@ -60,9 +60,9 @@ FILES: tuple[Entry, ...] = (
         "The track “{path}” cannot be followed: {reason}.",
         'target fly from "flat.csv"\nlook at fly\n',
         'target fly from "track.csv"\nlook at fly\n',
-        "The first line names the columns: `time` and either `x`, `y`, `z` or `azimuth`, `elevation`, `distance`; others "
-        "are passed over. Times are in seconds from the scene's start, angles in degrees, all else in centimetres. The "
-        "tracks of a script have 250,000 rows at most: over an hour at 60 a second.",
+        "The first line names the columns: `time` and either `x`, `y`, `z` or `azimuth`, `elevation`, `distance`; "
+        "others are passed over. Times are in seconds from the scene's start, angles in degrees, all else in "
+        "centimetres. The tracks of a script have 250,000 rows at most: over an hour at 60 a second.",
         files={"flat.csv": "time,x,y\n0,-30,0\n", "track.csv": "frame,time,x,y,z\n1,0,-30,0,200\n2,0.5,30,0,200\n"},
     ),
     Entry(
