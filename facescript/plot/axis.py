@@ -63,7 +63,7 @@ def round_step(least: float) -> float:
 
 def ticks(low: float, high: float, step: float) -> list[float]:
     """The multiples of `step` from `low` to `high`."""
-    first, last = ceil(low / step - 1e-6), floor(high / step + 1e-6)
+    first, last = ceil(low / step - 1e-9), floor(high / step + 1e-9)
     return [number * step for number in range(first, last + 1)]
 
 
