@@ -70,12 +70,12 @@ class _Scene:
         first = rest(room, face, start)
         targets = [first, *(bounds[id(plan)] for plan in eyes)]
         self.head = Blend(first.head, [_turn(bounds[id(plan)]) for plan in head])
-        self.eyes = Blend(self._reached(first.eyes), [_saccade(each, self._reached(each.eyes)) for each in targets[1:]])
         self.nearness = Blend(first.nearness, [_vergence(before, bound) for before, bound in pairwise(targets)])
+        self.eyes = Blend(self._reached(first.eyes), [_saccade(each, self._reached(each.eyes)) for each in targets[1:]])
 
     def _reached(self, course: Course) -> Course:
         """A course of the line of sight as far as the eyes can follow it from where the head is."""
-        return lambda times: within_reach(course(times), self.head.at(times))
+        return lambda times: within_reach(course(times), self.head.at(times), self.nearness.at(times)[:, 0])
 
     def sight(self, times: Floats) -> Floats:
         nearness = np.maximum(self.nearness.at(times), 1.0 / FARTHEST_CM)

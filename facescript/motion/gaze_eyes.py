@@ -54,27 +54,48 @@ def midline(eye_angles: Floats, head_pose: Floats) -> Floats:
     return np.stack(_angles(_to_room(np.stack([*slopes, np.ones_like(slopes[0])], axis=-1), head_pose)), axis=-1)
 
 
-def within_reach(sight: Floats, head: Floats) -> Floats:
-    """Lines of sight, array[n, 2] (deg), kept where the eyes in a head turned to `head`, array[n, 2], follow them.
+def within_reach(sight: Floats, head: Floats, nearness: Floats) -> Floats:
+    """Lines of sight, array[n, 2] (deg), kept where both eyes in a head turned to `head`, array[n, 2], can follow them.
 
-    The eyes wait at the end of their reach for the head, and what comes next sets off from there (bar S8).
+    They converge at `nearness`, array[n] (1/cm): the eye that is turned in has the longer way. The eyes wait at the end
+    of their reach for the head, and what comes next sets off from there (bar S8).
     """
-    far = _extent(*(sight - head).T) >= EYE_KNEE - ROUGH
+    half = np.degrees(np.arctan(nearness * APART_CM / 2))
+    aside, up = (sight - head).T
+    far = _extent(np.abs(aside) + half, up) >= EYE_KNEE - ROUGH
     if not far.any():
         return sight
     pose = np.concatenate([head[far], np.zeros((np.count_nonzero(far), 1))], axis=1)
-    eye = _slowed(*_angles(_to_head(_vectors(*sight[far].T), pose)), EYE_KNEE, EYE_END)
+    yaw, pitch = _angles(_to_head(_vectors(*sight[far].T), pose))
+    scale = _shortened(yaw, pitch, half[far])
     kept = sight.copy()
-    kept[far] = np.stack(_angles(_to_room(_vectors(*eye), pose)), axis=-1)
+    kept[far] = np.stack(_angles(_to_room(_vectors(yaw * scale, pitch * scale), pose)), axis=-1)
     return kept
+
+
+def _shortened(yaw: Floats, pitch: Floats, half: Floats) -> Floats:
+    """By what the eyes' midline is shortened so that an eye that is turned in by `half` deg more is within reach."""
+    extent = _extent(np.abs(yaw) + half, pitch)
+    sideways, inward = np.abs(yaw) / EYE_SIDE, half / EYE_SIDE
+    square = np.maximum(_extent(yaw, pitch) ** 2, 1e-18)
+    mixed = sideways * inward
+    room = np.maximum(_bent(extent, EYE_KNEE, EYE_END) ** 2 - inward**2, 0.0)
+    scale: Floats = (np.sqrt(mixed * mixed + square * room) - mixed) / square
+    return np.where(extent > EYE_KNEE, scale, 1.0)
 
 
 def _slowed(yaw: Floats, pitch: Floats, knee: float, end: float) -> tuple[Floats, Floats]:
     """The eyes' angles, beyond the part `knee` of their reach slowed so that they come to `end` without a jolt."""
     extent = _extent(yaw, pitch)
-    bent = np.where(extent > knee, knee + (end - knee) * np.tanh((extent - knee) / (end - knee)), extent)
-    scale = bent / np.maximum(extent, 1e-9)
+    scale = _bent(extent, knee, end) / np.maximum(extent, 1e-9)
     return yaw * scale, pitch * scale
+
+
+def _bent(extent: Floats, knee: float, end: float) -> Floats:
+    """A part of the eyes' reach, beyond `knee` bent so that it comes to `end`, evenly slowed."""
+    room = end - knee
+    over = np.clip(end + room - extent, 0.0, 2.0 * room)
+    return np.where(extent > knee, end - over * over / (4.0 * room), extent)
 
 
 def _extent(yaw: Floats, pitch: Floats) -> Floats:
