@@ -8,15 +8,19 @@ from typing import Literal
 from facescript.ir.values import Aim, Amount, AtCamera, Mix, Moment
 from facescript.text import Span
 
+Manner = Literal["", "posed", "spontaneous"]
+"""How an expression comes and goes: made on purpose, or felt; "" is neither."""
+
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """`over T for T back in T ease NAME`; None is the verb's own default."""
+    """`over T for T back in T ease NAME, MANNER`; None is the verb's own default, and that of its manner."""
 
     over: Amount | None = None
     lasting: Amount | None = None
     back: Amount | None = None
     ease: str | None = None
+    manner: Manner = ""
 
 
 GazeParts = Literal["eyes then head", "head then eyes", "eyes only", "head only"]

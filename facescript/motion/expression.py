@@ -15,7 +15,9 @@ from itertools import pairwise
 import numpy as np
 
 from facescript.ir.acts import Add, Drop, Show
+from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Drive, Floats, number, term_column
+from facescript.motion.expression_apex import SMALLER, Ripple
 from facescript.performance.curves import Ramp
 from facescript.performance.easing import easing
 from facescript.schedule.score import TimedAct
@@ -40,18 +42,21 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Layer:
-    """One show (`base`) or add: it rises, holds, and falls; seconds from the film's start."""
+    """One show (`base`) or add: it rises, holds, and falls; seconds from the film's start. With a `ripple` it lives
+    once it has risen."""
 
     base: bool
     rise: Ramp
     fall: Ramp
     parts: tuple[Part, ...]
+    ripple: Ripple | None = None
 
     def weight(self, times: Floats) -> Floats:
         return self.rise.at(times) * (1.0 - self.fall.at(times))
 
     def mix(self, times: Floats) -> Drive:
-        return sum((part.at(times) for part in self.parts), np.zeros((len(ROWS), len(times))))
+        asked = sum((part.at(times) for part in self.parts), np.zeros((len(ROWS), len(times))))
+        return asked if self.ripple is None else asked * (1.0 + self.ripple.at(times))
 
     @property
     def changes(self) -> Iterator[Ramp]:
@@ -63,7 +68,7 @@ class Layer:
     @property
     def kept(self) -> bool:
         """Whether it stays as it is once it has risen."""
-        return self.fall.start == np.inf and not any(part.drops for part in self.parts)
+        return self.ripple is None and self.fall.start == np.inf and not any(part.drops for part in self.parts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,11 +133,15 @@ def layer(act: TimedAct, drops: Drops) -> Layer:
     assert isinstance(act.verb, (Show, Add))
     timing, curve = act.verb.timing, easing(act.verb.timing.ease)
     over = act.settled - act.start if timing.over is None else number(timing.over)
+    felt = timing.manner == "spontaneous"
+    size = SMALLER if felt else 1.0
     parts = tuple(
-        Part(term_column(term), drops.get((act.order, index), ())) for index, term in enumerate(act.verb.mix.terms)
+        Part(size * term_column(term), drops.get((act.order, index), ()))
+        for index, term in enumerate(act.verb.mix.terms)
     )
     rise = Ramp(act.start, min(act.start + over, act.released), curve)
-    return Layer(isinstance(act.verb, Show), rise, Ramp(act.released, act.end, curve), parts)
+    ripple = Ripple(rise.end, Dice(act.seed, (act.face,))) if felt else None
+    return Layer(isinstance(act.verb, Show), rise, Ramp(act.released, act.end, curve), parts, ripple)
 
 
 def _drops(acts: Iterable[TimedAct]) -> Drops:
@@ -160,12 +169,12 @@ def _pieces(layers: list[Layer], edges: list[float]) -> Iterator[Piece]:
                 settled = settled + item.mix(np.array([start]))[:, 0]
         live = _uncovered([item for item in live if not _folds(item, start)], start)
         seen = tuple(_visible(live, start, end))
-        yield Piece(start, seen, settled, any(_moves(ramp, start) for item in seen for ramp in item.changes))
+        yield Piece(start, seen, settled, any(_moves(item, start) for item in seen))
 
 
-def _moves(ramp: Ramp, start: float) -> bool:
-    """Whether a ramp is under way in the piece that starts at `start` (a ramp's ends are edges of pieces)."""
-    return ramp.start <= start < ramp.end
+def _moves(item: Layer, start: float) -> bool:
+    """Whether a layer changes in the piece that starts at `start` (the ends of ramps are edges of pieces)."""
+    return item.ripple is not None or any(ramp.start <= start < ramp.end for ramp in item.changes)
 
 
 def _matters(item: Layer, start: float) -> bool:

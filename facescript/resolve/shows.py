@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, cast
 
-from facescript.ir.acts import Add, Drop, Gesture, Show, Timing
+from facescript.ir.acts import Add, Drop, Gesture, Manner, Show, Timing
 from facescript.ir.values import Amount, Mix, Term
 from facescript.resolve.arithmetic import bounds
 from facescript.resolve.drivers import PRIMITIVES
@@ -17,7 +17,7 @@ from facescript.resolve.scope import Scope, expand, inside
 from facescript.resolve.suggest import nearest
 from facescript.resolve.sums import read_quantity
 from facescript.resolve.units import SHARE, TIME
-from facescript.resolve.words import EASES
+from facescript.resolve.words import EASES, MANNERS
 from facescript.syntax.tree import Call, Dotted, Name, Word
 
 POSES = {"nod": "nodding", "shake": "shaking", "tilt": "tilting", "blink": "blinking", "wink": "winking"}
@@ -61,7 +61,7 @@ def gesture(project: Project, line: Line, place: Place) -> Gesture:
 
 
 def timing(line: Line) -> Timing:
-    """`over T for T back in T ease NAME` of a line. Raises `Refused`."""
+    """`over T for T back in T ease NAME, MANNER` of a line. Raises `Refused`."""
     if not line.parts:
         return PLAIN
     ease = line.name("ease")
@@ -73,7 +73,8 @@ def timing(line: Line) -> Timing:
     over, lasting, back = (line.amount(name, TIME) for name in ("over", "for", "back"))
     if back is not None and lasting is None:
         raise line.project.refuse("FS333", line.spans["back"])
-    return Timing(over, lasting, back, ease.text if ease else None)
+    manner = next((name for name in MANNERS if name in line.parts), "")
+    return Timing(over, lasting, back, ease.text if ease else None, cast(Manner, manner))
 
 
 PLAIN = Timing()

@@ -72,6 +72,8 @@ MODIFIERS: dict[str, Modifier] = _rows(
     _fixed("in order", "order", "the crowd as it is written"),
     _fixed("nearest first", "order", "each time the nearest of those left"),
     _fixed("at random", "order", "in an order the seed decides"),
+    _fixed("posed", "manner", "it comes and goes quickly, as one made on purpose"),
+    _fixed("spontaneous", "manner", "it comes slowly, stays smaller, lives and lingers, as one that is felt"),
     _valued("rate", "percentage", "how fast the voice speaks"),
     _valued("pitch", "percentage", "how high the voice speaks"),
     _valued("volume", "percentage", "how loud the voice speaks"),
@@ -86,6 +88,7 @@ MODIFIERS: dict[str, Modifier] = _rows(
 GAZE = ("eyes then head", "head then eyes", "eyes only", "head only", "head", "speed", "latency")
 KNOBS = ("blink", "brows", "sway", "nods", "saccades", "avert")
 CHANGE = ("over", "for", "back", "ease", "as")
+MANNERS = ("posed", "spontaneous")
 LASTING = ("over", "for", "as")
 VOICE = ("rate", "pitch", "volume")
 
@@ -104,8 +107,8 @@ VERBS: dict[str, Verb] = _verbs(
         "in order, each as long as people do",
         "fixates each of a crowd",
     ),
-    Verb("show", "show SUM", CHANGE, "until the next `show`", "makes a sum the face's base expression"),
-    Verb("add", "add SUM", CHANGE, "until `drop`", "lays a sum on top of what is shown"),
+    Verb("show", "show SUM", (*CHANGE, *MANNERS), "until the next `show`", "makes a sum the face's base expression"),
+    Verb("add", "add SUM", (*CHANGE, *MANNERS), "until `drop`", "lays a sum on top of what is shown"),
     Verb("drop", "drop NAME", ("over", "ease", "as"), "", "lets go of an expression or of a named statement"),
     Verb("nod", "nod PERCENTAGE", ("for", "as"), "100%", "nods the head"),
     Verb("shake", "shake PERCENTAGE", ("for", "as"), "100%", "shakes the head"),

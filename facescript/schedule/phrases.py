@@ -39,7 +39,7 @@ def phrase(verb: Verb) -> str:
             each = "" if dwell is None else f", {duration(dwell)} each"
             return f"scan {crowd}{each}{'' if order == 'in order' else f', {order}'}{_manner(manner)}"
         case Show(mix, timing) | Add(mix, timing):
-            return f"{type(verb).__name__.lower()} {_sum(mix)}{_length(timing)}"
+            return f"{type(verb).__name__.lower()} {_sum(mix)}{_length(timing)}{_felt(timing)}"
         case Gesture():
             return _gesture(verb)
         case Say(text):
@@ -114,6 +114,10 @@ def _manner(manner: GazeManner) -> str:
 
 def _length(timing: Timing) -> str:
     return "" if timing.lasting is None else f" for {duration(timing.lasting)}"
+
+
+def _felt(timing: Timing) -> str:
+    return f", {timing.manner}" if timing.manner else ""
 
 
 def _sum(mix: Mix) -> str:

@@ -22,7 +22,8 @@ class TimedAct:
     scene's end), `end` when nothing of it is left. `order` breaks ties of `start`: the later line wins.
     `label` is its name in the outputs (`trials.7.cued`), `plan` the gaze shift of a look, glance or one stop of a scan.
     `persons` says which target each person of a reaction is; `estimated` whether its times rest on a line that no
-    voice has spoken yet.
+    voice has spoken yet. `seed` is its own where it lives by itself (a spontaneous expression): of the film's seed,
+    its face and its place in the script.
     """
 
     order: int
@@ -39,6 +40,7 @@ class TimedAct:
     drops: tuple[tuple[int, int], ...] = ()
     persons: tuple[tuple[str, str], ...] = ()
     estimated: bool = False
+    seed: int = 0
 
 
 @dataclass(frozen=True, slots=True)

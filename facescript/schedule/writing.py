@@ -18,6 +18,7 @@ from facescript.ir.acts import (
     in_pass,
 )
 from facescript.ir.play import Play, Scene
+from facescript.ir.random import chance
 from facescript.schedule.deeds import Deed, walk
 from facescript.schedule.defaults import Concrete, seconds
 from facescript.schedule.looks import gone, scene_at
@@ -25,6 +26,9 @@ from facescript.schedule.round import Round
 from facescript.schedule.score import FOREVER, Marker, Score, TimedAct, TimedLine, TimedScene
 from facescript.schedule.steps import NEVER, START
 from facescript.space.plan import GazePlan
+
+SEEDS = 2**53
+"""So many seeds of acts there are: a draw has as many bits."""
 
 HOLD = 1.0
 """Seconds that life goes on after a `stop`, in a film that does not say how long it is."""
@@ -77,7 +81,14 @@ class Writing:
             tuple((before + order, term) for order, term in self.drops.get(deed.order, ())),
             deed.root.persons,
             deed.step.rough(START),
+            self._seed(deed),
         )
+
+    def _seed(self, deed: Deed) -> int:
+        """Where an expression lives by itself, the seed it lives by."""
+        if not isinstance(deed.verb, (Show, Add)) or deed.verb.timing.manner != "spontaneous":
+            return 0
+        return int(chance(self.concrete.seed, deed.face, *deed.step.place(), "apex") * SEEDS)
 
     def _settings(self) -> Iterator[TimedAct]:
         """What holds from each scene's first moment, because it is written before the scenes."""

@@ -39,7 +39,10 @@ DIRECT = frozenset(("over", "for", "back", "ease", "from", "timed", "to", "as"))
 _GAZE = frozenset(("eyes", "head", "speed", "latency", "nearest"))
 _VOICE = frozenset(("rate", "pitch", "volume"))
 _KNOBS = frozenset(("blink", "brows", "sway", "nods", "saccades", "avert"))
+_MANNERS = frozenset(("posed", "spontaneous"))
 _BEGIN = {
+    "show": _MANNERS,
+    "add": _MANNERS,
     "look": _GAZE,
     "glance": _GAZE,
     "scan": _GAZE,
@@ -136,7 +139,7 @@ def _begins(words: tuple[Word, ...], index: int, kind: str, begin: frozenset[str
     if isinstance(before, Operator) or (isinstance(before, Name) and before.text in _JOINS | DIRECT):
         return False
     if type(word) is Name:
-        return word.text in begin
+        return word.text in begin and (index > 1 or begin is not _MANNERS)
     if type(word) is not Quantity:
         return False
     after = words[index + 1] if index + 1 < len(words) else None

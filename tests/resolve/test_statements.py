@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from plays import aim, codes, dos, play_of, resolved, shown, verb, verbs
 
-from facescript.ir.acts import Do, GazeManner, Glance, Look, Repeat, Scan, Sequence, Timing, in_pass
+from facescript.ir.acts import Add, Do, GazeManner, Glance, Look, Repeat, Say, Scan, Sequence, Show, Timing, in_pass
 from facescript.ir.play import Reaction
 
 TWO = "face ada = woman\nface bruno = man\n"
@@ -52,6 +52,20 @@ def test_the_manner_of_a_look() -> None:
     assert scan == Scan("crowd", 0.3, "nearest first")
 
 
+def test_the_manner_of_an_expression() -> None:
+    smile = verbs("show smile\n")[0].mix  # type: ignore[union-attr]
+    assert verbs("show smile over 100ms, spontaneous\nadd smile, posed\nshow smile\n") == [
+        Show(smile, Timing(0.1, manner="spontaneous")),
+        Add(smile, Timing(manner="posed")),
+        Show(smile),
+    ]
+    (line,) = verbs('say "A [smile, spontaneous for 1s]cup[/]."\n')
+    assert isinstance(line, Say)
+    (cue,) = line.cues[0].body.items
+    assert isinstance(cue, Do)
+    assert cue.verb == Add(smile, Timing(lasting=1.0, manner="spontaneous"))
+
+
 @pytest.mark.parametrize(
     ("line", "code"),
     [
@@ -83,7 +97,9 @@ def test_the_manner_of_a_look() -> None:
         ("wink", "FS312"),
         ("drop smle", "FS238"),
         ("drop", "FS312"),
-        ("show smile, posed", "FS308"),
+        ("show smile, slowly", "FS308"),
+        ("show smile, posed, spontaneous", "FS310"),
+        ("drop smile, posed", "FS309"),
         ("background blue", "FS314"),
         ('background "nowhere.png"', "FS701"),
         ("view bruna", "FS203"),

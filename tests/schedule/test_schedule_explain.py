@@ -62,6 +62,8 @@ def test_every_verb_is_told_as_it_is_written() -> None:
         "show crooked 80% - AU20 30%",
         "add head.roll 8deg + lid.left 30% for 1s",
         "add head.scale 10%",
+        "show smile 40% for 2s, spontaneous",
+        "add AU4, posed",
         "drop head.scale",
         "nod 30%",
         "tilt right",

@@ -70,7 +70,7 @@ VALUES: tuple[Entry, ...] = (
         "unknown-modifier",
         Severity.ERROR,
         "`{text}` says nothing of `{called}`{meant}",
-        "show smile, posed\n",
+        "show smile, slowly\n",
         "show smile over 300ms\n",
     ),
     Entry(
