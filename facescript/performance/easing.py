@@ -7,6 +7,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.performance.polynomials import beta_3_5, beta_5_5, minimum_jerk
+
 Floats = NDArray[np.float64]
 Easing = Callable[[Floats], Floats]
 """Shares of time, array of any shape, to shares done. Outside 0..1 it holds its ends, exactly 0 and 1."""
@@ -19,14 +21,14 @@ def linear(share: Floats) -> Floats:
 
 def smooth(share: Floats) -> Floats:
     """Minimum jerk (Flash and Hogan 1985): 10 x^3 - 15 x^4 + 6 x^5; at rest at both ends, peak speed 1.875 between."""
-    x = np.clip(share, 0.0, 1.0)
-    return x * x * x * (10.0 + x * (-15.0 + x * 6.0))
+    done: Floats = minimum_jerk(np.clip(share, 0.0, 1.0))
+    return done
 
 
 def fall_out(share: Floats) -> Floats:
     """`out`: quick first, slow last; the beta(3, 5) distribution, peak speed 2.30 at a third of the time."""
-    x = np.clip(share, 0.0, 1.0)
-    return x * x * x * (35.0 + x * (-105.0 + x * (126.0 + x * (-70.0 + x * 15.0))))
+    done: Floats = beta_3_5(np.clip(share, 0.0, 1.0))
+    return done
 
 
 def fall_in(share: Floats) -> Floats:
@@ -36,8 +38,8 @@ def fall_in(share: Floats) -> Floats:
 
 def in_out(share: Floats) -> Floats:
     """`in-out`: slower at both ends than `smooth`; the beta(5, 5) distribution, peak speed 2.46 at the middle."""
-    x = np.clip(share, 0.0, 1.0)
-    return x * x * x * x * x * (126.0 + x * (-420.0 + x * (540.0 + x * (-315.0 + x * 70.0))))
+    done: Floats = beta_5_5(np.clip(share, 0.0, 1.0))
+    return done
 
 
 def through(*knots: tuple[float, float]) -> Easing:

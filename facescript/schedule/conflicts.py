@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import TypeVar
 
 from facescript.diagnostics.model import Related
+from facescript.diagnostics.wording import tell
 from facescript.ir.acts import Drop, Show, in_pass
 from facescript.schedule.deeds import Deed, Sounding
 from facescript.schedule.drops import Key
-from facescript.schedule.faults import Faults, short, tell
+from facescript.schedule.faults import Faults, short
 from facescript.schedule.steps import NEVER, SETTLED, START, Step
 from facescript.schedule.voices import CLOSE
 
 
 def lines_together(sounds: Iterable[Sounding], faults: Faults) -> None:
     """Report lines of a face that overlap in one scene or reaction. Where only an estimate says so it is a warning."""
-    for row in _by_face(((sound.face, id(sound.step.root)), sound.start, sound) for sound in sounds):
+    for row in by_face(((sound.face, id(sound.step.root)), sound.start, sound) for sound in sounds):
         before = row[0]
         for sound in row[1:]:
             if sound.start < before.end - CLOSE:
@@ -41,7 +42,7 @@ def _overlap(before: Sounding, sound: Sounding, faults: Faults) -> None:
 def shows_together(deeds: Iterable[Deed], faults: Faults) -> None:
     """Report shows of a face that start at one time in one scene or reaction."""
     shows = [deed for deed in deeds if isinstance(deed.verb, Show)]
-    for row in _by_face(((deed.face, id(deed.root)), deed.start, deed) for deed in shows):
+    for row in by_face(((deed.face, id(deed.root)), deed.start, deed) for deed in shows):
         for before, deed in pairwise(row):
             if deed.start - before.start < CLOSE:
                 other = Related(before.step.node.span, "the other `show`")
@@ -76,10 +77,24 @@ def nothing_dropped(
             faults.add("FS416", deed.step.node.span, face=deed.face, name=name)
 
 
+def covers(row: Sequence[Deed], within: Callable[[Deed], bool] = lambda deed: True) -> list[Deed | None]:
+    """For each deed of a row in time the first after it, of those `within`, that lasts as long or longer: what it
+    covers does not come back. One pass from the last to the first, whatever the row is like."""
+    found: list[Deed | None] = []
+    longest: list[Deed] = []
+    for deed in reversed(row):
+        while longest and longest[-1].release < deed.release:
+            longest.pop()
+        found.append(longest[-1] if longest else None)
+        if within(deed):
+            longest.append(deed)
+    return found[::-1]
+
+
 Item = TypeVar("Item")
 
 
-def _by_face(items: Iterable[tuple[Hashable, float, Item]]) -> Iterable[list[Item]]:
+def by_face(items: Iterable[tuple[Hashable, float, Item]]) -> Iterable[list[Item]]:
     """The items of each face (or whatever stands first) in the order of their times."""
     rows: dict[Hashable, list[tuple[float, Item]]] = {}
     for face, time, item in items:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostic, Diagnostics, Related, Severity
+from facescript.diagnostics.wording import tell
 from facescript.ir.acts import At, Cue, Do, WaitUntil
 from facescript.ir.play import Scene
 from facescript.ir.values import Mark
@@ -27,9 +28,12 @@ class Faults:
 
     def add(self, code: str, span: Span, *related: Related, **values: object) -> None:
         """A fault, unless this place has it already."""
-        key = (code, span.source.name, span.start, span.end)
-        if key not in self.found:
-            self.found[key] = diagnose(code, span, fixes=(), related=related, **values)
+        if not self.known(code, span):
+            self.found[_key(code, span)] = diagnose(code, span, fixes=(), related=related, **values)
+
+    def known(self, code: str, span: Span) -> bool:
+        """Whether this place has it already."""
+        return _key(code, span) in self.found
 
     @property
     def failed(self) -> bool:
@@ -98,6 +102,10 @@ class Faults:
             self.add(failure.code, span, reason=reason)
 
 
+def _key(code: str, span: Span) -> tuple[str, str, int, int]:
+    return code, span.source.name, span.start, span.end
+
+
 def mark_of(step: Step) -> Mark | None:
     """The mark that a step's own time refers to."""
     node = step.node
@@ -115,8 +123,3 @@ def spelled(mark: Mark) -> str:
 def short(label: str) -> str:
     """The name that an author gave, out of a full label."""
     return label.rpartition(".")[2]
-
-
-def tell(seconds: float) -> str:
-    """A time for an author: `1.25 s`."""
-    return f"{round(seconds, 3):g} s"

@@ -5,16 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from facescript.diagnostics.model import Diagnostics
+from facescript.diagnostics.wording import tell
 from facescript.ir.acts import Glance, Look, Scan, Sequence
 from facescript.ir.play import Face, Play
 from facescript.schedule.conflicts import left_out, lines_together, nothing_dropped, shows_together
+from facescript.schedule.conflicts_apex import apexes_missed
+from facescript.schedule.conflicts_gaze import looks_lost
+from facescript.schedule.conflicts_voices import voices_together
 from facescript.schedule.deeds import Deed
 from facescript.schedule.defaults import Concrete
 from facescript.schedule.drops import Key as Term
 from facescript.schedule.drops import take_off
 from facescript.schedule.events import Events
 from facescript.schedule.facts import Facts
-from facescript.schedule.faults import Faults, tell
+from facescript.schedule.faults import Faults
 from facescript.schedule.labels import Labels, nodes
 from facescript.schedule.lengths import PERSONS, Lengths
 from facescript.schedule.looks import Gaze, landings, scene_at
@@ -166,8 +170,12 @@ class _Scheduler:
 
     def _check(self, solved: Round) -> None:
         """Report what cannot be at one time, and what is left out."""
-        lines_together(solved.sounds(), self.faults)
+        sounds = list(solved.sounds())
+        lines_together(sounds, self.faults)
+        voices_together(sounds, self.faults)
         shows_together(solved.done, self.faults)
+        looks_lost(solved.done, self.plans, self.faults)
+        apexes_missed(solved.done, self.drops, self.faults)
         left_out(solved.late, solved.times.cut, solved.long, self.faults)
         nothing_dropped(self.idle, self.drops, solved.done, self.faults)
         for number, start in solved.unplayed[:1]:

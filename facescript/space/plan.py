@@ -19,9 +19,10 @@ class GazePlan:
     `aim` is definite: a person is its target, the nearest of a crowd a number, `away` a direction. `parts` says which
     parts the shift uses ("eyes only", "head only", else both). `eye_done` is when the line of sight has run its
     course: where the eyes then wait at the end of their reach for the head, `landed` is later. `head_from` is what the
-    head's share is counted from. `unreachable` is by how many degrees the gaze stays short of the target, `at_times`
-    whether the target is out of reach, or lost, for a part of the time only; `lost` whether nobody knows where it is.
-    `needs` is how long the shift takes, in s, where its `over` asked for less than eyes or head can do; else 0.
+    head's share is counted from. `unreachable` is by how many degrees the gaze stays short of the target at worst, and
+    `worst` when that is; `at_times` whether the target is out of reach, or lost, for a part of the time only; `lost`
+    whether nobody knows where it is. `needs` is how long the shift takes, in s, where its `over` asked for less than
+    eyes or head can do; else 0.
     """
 
     aim: Aim
@@ -35,6 +36,7 @@ class GazePlan:
     released: float = float("inf")
     instant: bool = False
     unreachable: float = 0.0
+    worst: float = 0.0
     at_times: bool = False
     lost: bool = False
     eye_done: float = 0.0

@@ -227,11 +227,13 @@ class _Scene:
         times = [shift.start, *keys[low : high : (high - low) // JUDGED + 1]]
         if moving and until < keys[-1]:
             times.append(until)
-        short = max(shift.short(time) for time in times)
+        worst = max(times, key=shift.short)
+        short = shift.short(worst)
         sightings, plan = self.room.sightings(self.face.name, shift.aim), self.plans[shift.key][0]
         had = sightings.had(shift.start, until) if sightings else "in sight"
         if short > 0.0 or had == "lost":
-            found = replace(plan, unreachable=short, at_times=had == "at times", lost=had == "lost")
+            away, when = had == "at times", self.start + worst
+            found = replace(plan, unreachable=short, worst=when, at_times=away, lost=had == "lost")
             self.plans[shift.key][0] = found
 
     def _let_go(self, time: float, request: GazeRequest) -> None:

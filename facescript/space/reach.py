@@ -11,7 +11,10 @@ from math import acos, asin, atan2, cos, degrees, hypot, radians, sin, tanh
 from typing import Protocol
 
 from facescript.diagnostics.catalogue import diagnose
-from facescript.diagnostics.model import Diagnostic, Diagnostics
+from facescript.diagnostics.model import Diagnostic, Diagnostics, Related
+from facescript.diagnostics.wording import tell
+from facescript.ir.play import Face, Target
+from facescript.ir.values import Aim, AtFace, AtTarget
 from facescript.space.direction import angles, towards
 from facescript.space.plan import GazePlan
 from facescript.text import Span
@@ -40,12 +43,21 @@ class Planned(Protocol):
     @property
     def span(self) -> Span: ...
 
+    @property
+    def estimated(self) -> bool: ...
+
 
 class Scored(Protocol):
-    """What of a score is needed here: its acts."""
+    """What of a score is needed here: its acts, and what they may look at."""
 
     @property
     def acts(self) -> Sequence[Planned]: ...
+
+    @property
+    def faces(self) -> Sequence[Face]: ...
+
+    @property
+    def targets(self) -> Sequence[Target]: ...
 
 
 ALONE = {"eyes only": ("eyes", "stay"), "head only": ("head", "stays")}
@@ -53,29 +65,39 @@ ALONE = {"eyes only": ("eyes", "stay"), "head only": ("head", "stays")}
 
 
 def reach(score: Scored, diagnostics: Diagnostics) -> None:
-    """Warn of every target that stays out of reach, once a place in the script, with the worst angle (FS6xx)."""
-    worst: dict[Span, GazePlan] = {}
+    """Warn of every target that stays out of reach, once a place in the script, with the worst angle, when that is,
+    and where the target is said to be (FS6xx)."""
+    worst: dict[Span, tuple[GazePlan, bool]] = {}
     for act in score.acts:
         for plan in act.plan:
             if act.span in worst:
-                bad = plan.unreachable > worst[act.span].unreachable
+                bad = plan.unreachable > worst[act.span][0].unreachable
             else:
                 bad = plan.lost or plan.unreachable > 0.0
             if bad:
-                worst[act.span] = plan
-    for span, plan in worst.items():
-        diagnostics.add(_missed(plan, span))
+                worst[act.span] = plan, act.estimated
+    for span, (plan, rough) in worst.items():
+        diagnostics.add(_missed(plan, span, tell(plan.worst, rough), _said(score, plan.aim)))
 
 
-def _missed(plan: GazePlan, span: Span) -> Diagnostic:
-    """What is said of a shift that stays short of its target."""
+def _missed(plan: GazePlan, span: Span, time: str, said: tuple[Related, ...]) -> Diagnostic:
+    """What is said of a shift that stays short of its target, most so at `time`."""
     short = f"{plan.unreachable:.0f}deg"
     if plan.unreachable == 0.0:
-        return diagnose("FS604", span)
+        return diagnose("FS604", span, related=said)
     if plan.parts in ALONE:
         part, verb = ALONE[plan.parts]
-        return diagnose("FS602", span, part=part, stay=verb, short=short)
-    return diagnose("FS603" if plan.at_times else "FS601", span, short=short)
+        return diagnose("FS602", span, related=said, time=time, part=part, stay=verb, short=short)
+    return diagnose("FS603" if plan.at_times else "FS601", span, related=said, time=time, short=short)
+
+
+def _said(score: Scored, aim: Aim) -> tuple[Related, ...]:
+    """Where the script says what is looked at; directions stand in the look itself."""
+    if isinstance(aim, AtTarget):
+        return tuple(Related(target.span, "the target") for target in score.targets if target.name == aim.name)
+    if isinstance(aim, AtFace):
+        return tuple(Related(face.span, "the face that is looked at") for face in score.faces if face.name == aim.face)
+    return ()
 
 
 def extent(eye: Direction) -> float:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from facescript.diagnostics.model import Diagnostics, Severity
 from facescript.ir.acts import GazeManner, Life, Scan, Voice
-from facescript.ir.play import Crowd, Face, Film, FixedTarget, MovingTarget
+from facescript.ir.play import Crowd, Face, Film, FixedTarget, MovingTarget, Target
 from facescript.ir.values import AtCamera, AtTarget, Away, Point, Towards
 from facescript.space.haste import haste
 from facescript.space.main_sequence import head_time, peak_fraction, saccade_part, saccade_time, velocity_shape
@@ -232,11 +232,14 @@ def test_a_moving_target_is_judged_while_it_is_looked_at() -> None:
 class Act:
     plan: tuple[GazePlan, ...]
     span: Span
+    estimated: bool = False
 
 
 @dataclass(frozen=True)
 class Acts:
     acts: tuple[Act, ...]
+    faces: tuple[Face, ...] = ()
+    targets: tuple[Target, ...] = TARGETS
 
 
 def test_warnings_state_the_angle_once_a_place() -> None:
@@ -249,13 +252,13 @@ def test_warnings_state_the_angle_once_a_place() -> None:
             "FS601",
             Severity.WARNING,
             HERE,
-            "This target is 60deg beyond what eyes and head reach: the gaze stops short of it.",
+            "At 0 s this target is 60deg beyond what eyes and head reach: the gaze stops short of it.",
         ),
         (
             "FS602",
             Severity.WARNING,
             second,
-            "The eyes alone stay 15deg short of this target; together eyes and head go further.",
+            "At 0 s the eyes alone stay 15deg short of this target; together eyes and head go further.",
         ),
     ]
 

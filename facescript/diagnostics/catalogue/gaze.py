@@ -10,7 +10,7 @@ GAZE: tuple[Entry, ...] = (
         "FS601",
         "target-out-of-reach",
         Severity.WARNING,
-        "This target is {short} beyond what eyes and head reach: the gaze stops short of it.",
+        "At {time} this target is {short} beyond what eyes and head reach: the gaze stops short of it.",
         "target door at 150deg 0deg 2m\nlook at door\n",
         "target door at 70deg 0deg 2m\nlook at door\n",
         "The eyes reach 45 degrees sideways, 28 up and 47 down in the head, the head 45 sideways, 30 up and down. What "
@@ -21,7 +21,7 @@ GAZE: tuple[Entry, ...] = (
         "FS602",
         "target-out-of-reach-of-one",
         Severity.WARNING,
-        "The {part} alone {stay} {short} short of this target; together eyes and head go further.",
+        "At {time} the {part} alone {stay} {short} short of this target; together eyes and head go further.",
         "film screen none\ntarget window at 60deg 0deg 2m\nlook at window, eyes only\n",
         "film screen none\ntarget window at 60deg 0deg 2m\nlook at window\n",
         "With `eyes only` the head stays as it is, with `head only` the eyes keep what they have: what lies beyond the "
@@ -46,6 +46,25 @@ GAZE: tuple[Entry, ...] = (
         'target ann from "track.csv"\nwait 1.5s\nlook at ann for 1s\n',
         "A target that is lost in its track is let go of like one that leaves reach, and found again once it is back.",
         files={"track.csv": "time,x,y,z\n0,,,\n1.5,-30,0,200\n3,30,0,200\n"},
+    ),
+    Entry(
+        "FS605",
+        "looks-together",
+        Severity.WARNING,
+        "Two looks of `{face}` take its {part} at {start}: this one is later in the script and wins{until}.",
+        "together:\n    look left 20deg\n    look right 10deg\n",
+        "together:\n    look left 20deg, head only\n    look right 10deg, eyes only\n",
+        "One of them is for nothing. Put one after the other, or part eyes from head: `head only` and `eyes only`.",
+    ),
+    Entry(
+        "FS606",
+        "look-too-short",
+        Severity.WARNING,
+        "{what} is over at {end}: the {part} of `{face}` would be there at {landed}, {need} after its start.",
+        "look left 20deg for 30ms\n",
+        "look left 20deg for 300ms\n",
+        "The eyes take 25 ms and 2.7 ms a degree, the head some 300 ms and more. Give the look more time, or let it "
+        "jump: `over 0ms`. What the event of a reaction interrupts is not told.",
     ),
     Entry(
         "FS607",

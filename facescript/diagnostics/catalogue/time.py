@@ -209,6 +209,37 @@ TIME: tuple[Entry, ...] = (
         "`film NNs long` says where a build cuts; a longer play is made as several films.",
     ),
     Entry(
+        "FS424",
+        "hurried",
+        Severity.WARNING,
+        "This was to rise in {asked}, until {apex}, and lets go at {release}: it rises in {given}.",
+        "show smile over 2s for 1s\n",
+        "show smile over 1s for 3s\n",
+        "`for` counts from the start, the rise included, and wins over `over`; so does the end of what a cue in a text "
+        "lies on. Leave it more time, or ask for a quicker rise. What has two thirds of its time is not told.",
+    ),
+    Entry(
+        "FS425",
+        "let-go-early",
+        Severity.WARNING,
+        "This would be at its apex at {apex}, and is let go from {time} on: it comes to {reached} of it.",
+        "show smile\nat 100ms: show frown\n",
+        "show smile\nat 1s: show frown\n",
+        "A `show` covers the one before it, and a `drop` takes away what is still rising. What comes to 90 % of its "
+        "apex, and a `show` of more of the same, is not told; nor is what another reaction interrupts.",
+    ),
+    Entry(
+        "FS426",
+        "voices-together",
+        Severity.WARNING,
+        "`{face}` speaks from {start} on, and `{other}` still speaks until {end}.",
+        'face ada = woman\nface bruno = man\n\nada: say "Good evening, everyone, and welcome."\n'
+        'at 500ms: bruno: say "Hello."\n',
+        'face ada = woman\nface bruno = man\n\nada: say "Good evening, everyone, and welcome."\nbruno: say "Hello."\n',
+        "What shall sound at once says so: lines in branches of one `together:`, a line `on` a word of the other, or "
+        '`at` a word or the end of the other (`at hello."everyone":`, `at hello.end - 200ms:`).',
+    ),
+    Entry(
         "FS420",
         "empty-cue",
         Severity.WARNING,
