@@ -16,11 +16,12 @@ from facescript.motion.life_blinks import blinks
 from facescript.motion.life_brows import brows
 from facescript.motion.life_head import head, nods
 from facescript.motion.life_model import Behaviour, Living, Moved
+from facescript.motion.life_prosody import beats, melody
 from facescript.motion.life_saccades import saccades
 from facescript.performance.curves import Ramp
 from facescript.schedule.score import TimedAct, TimedLine
 
-BEHAVIOURS: tuple[Behaviour, ...] = (blinks, brows, head, nods, saccades, averts)
+BEHAVIOURS: tuple[Behaviour, ...] = (blinks, brows, head, nods, beats, melody, saccades, averts)
 """All that a living face does unasked; a behaviour without its knob does nothing."""
 
 QUIETING = 0.4

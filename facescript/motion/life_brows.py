@@ -1,18 +1,19 @@
-"""Turns a life into brow raises, there and back."""
+"""Turns a life into brow raises, there and back: in speech on accents, else now and then."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import zip_longest
+from dataclasses import dataclass
 
-import numpy as np
-
-from facescript.motion.dice import Event, events
-from facescript.motion.life_model import Living, Moved, accents, moved, pulses
+from facescript.motion.dice import Event, Waits, events
+from facescript.motion.life_away import Stretches
+from facescript.motion.life_model import Accented, Living, Moved, accents, moved, pulses, said, speech
 from facescript.performance.easing import through
 
 SHORTEST, LONGEST = 0.51, 0.99
 """Seconds from the start of a raise to the end of its lowering (`thesis` 4.4)."""
+
+MEAN = (SHORTEST + LONGEST) / 2.0
 
 SOONEST, LATEST = 0.90, 12.54
 """The announcer's seconds from the end of a raise to the start of the next, uniform (`thesis` 4.4)."""
@@ -23,16 +24,29 @@ ANNOUNCER_RATE = 120.0 / (SHORTEST + LONGEST + SOONEST + LATEST)
 VARIATION = 0.6
 """Coefficient of variation of the others' intervals, as for blinks."""
 
+APART = 0.4
+"""Seconds that brows rest at least between two raises of the others (ours)."""
+
 FAINTEST, STRONGEST = 0.2, 0.5
 """How far the frontalis contracts (ours: the thesis gives no sizes)."""
 
 PEAK = 0.35
 """The share of a raise's length after which it is highest."""
 
-LEAD, REACH = 0.06, 0.6
-"""Seconds by which the peak of a raise comes before an accent, and how far it is moved for that (bar L4)."""
+LEAD = 0.06
+"""Seconds by which the peak of a raise comes before that of the accent (Flecha-Garcia 2010; bar L4: 0 to 0.2)."""
 
-RAISE = through((0.0, 0.0), (PEAK, 1.0), (0.6, 1.0), (1.0, 0.0))
+RAISE = through((0.0, 0.0), (PEAK, 1.0), (0.6, 0.9), (1.0, 0.0))
+
+
+@dataclass(frozen=True, slots=True)
+class Raise:
+    """One raise: seconds from the film's start, how high it goes, and how strong what calls for it is."""
+
+    start: float
+    end: float
+    height: float
+    strength: float
 
 
 def brows(life: Living) -> Iterable[Moved]:
@@ -40,29 +54,60 @@ def brows(life: Living) -> Iterable[Moved]:
     rate = life.knobs.get("brows", ANNOUNCER_RATE if life.announcing else 0.0)
     if rate <= 0.0:
         return
-    wait = max(60.0 / rate - (SHORTEST + LONGEST) / 2.0, SHORTEST)
-    dice = life.dice
-
-    def gap(index: int) -> float:
-        if life.announcing:
-            scale = 2.0 * wait / (SOONEST + LATEST)
-            return scale * dice.between(SOONEST, LATEST, "brows", index, "gap")
-        return dice.log_normal(wait, VARIATION, "brows", index, "gap")
-
-    found = events(life.start, life.end, gap, lambda k: dice.between(SHORTEST, LONGEST, "brows", k, "length"))
-    if not life.announcing:
-        found = _with_accents(tuple(found), tuple(accents(life.lines)))
-    curve = pulses(found, lambda k: dice.between(FAINTEST, STRONGEST, "brows", k, "height"), RAISE)
+    found = tuple(_announced(life, rate) if life.announcing else _of_talk(life, rate))
+    marks = (Event(index, item.start, item.end) for index, item in enumerate(found))
+    curve = pulses(marks, [item.height for item in found].__getitem__, RAISE)
     yield moved(curve, **{f"brow_{part}_{side}": 1.0 for part in ("inner", "outer") for side in ("left", "right")})
 
 
-def _with_accents(found: Sequence[Event], accented: Sequence[float]) -> Iterator[Event]:
-    """The raises, those near an accent of the face's speech moved so that they peak just before it."""
-    clear = 0.0
-    for event, after in zip_longest(found, found[1:]):
-        peak = event.start + PEAK * (event.end - event.start) + LEAD
-        shift = min((accent - peak for accent in accented), key=abs, default=np.inf)
-        start, end = event.start + shift, event.end + shift
-        fits = abs(shift) <= REACH and start >= clear and (after is None or end <= after.start)
-        yield Event(event.index, start, end) if fits else event
-        clear = end if fits else event.end
+def _announced(life: Living, rate: float) -> Iterator[Raise]:
+    """Raises at the thesis's intervals, whatever is said."""
+    scale = 2.0 * _wait(rate) / (SOONEST + LATEST)
+    return _by_chance(life, lambda index: scale * life.dice.between(SOONEST, LATEST, "brows", index, "gap"))
+
+
+def _of_talk(life: Living, rate: float) -> Iterator[Raise]:
+    """Raises on accents while the face speaks, else by chance, both as often as `rate` says."""
+    spoken: list[Raise] = []
+    closed: list[tuple[float, float]] = []
+    for name, line in said(life):
+        heard = accents(life, name, line)
+        stretches = tuple(speech(line)) if heard else ()
+        closed += stretches
+        often = sum(end - start + MEAN for start, end in stretches) / _wait(rate, APART)
+        for item in _on_accents(life, heard, often):
+            if spoken and item.start < spoken[-1].end + APART:
+                item = max(spoken.pop(), item, key=lambda one: one.strength)
+            spoken.append(item)
+    closed += [(item.start - APART, item.end + APART) for item in spoken]
+    busy = Stretches(closed)
+    idle = _by_chance(life, lambda index: life.dice.log_normal(_wait(rate), VARIATION, "brows", index, "gap"))
+    yield from sorted(
+        (*spoken, *(item for item in idle if busy.next(item.start)[0] >= item.end)), key=lambda item: item.start
+    )
+
+
+def _wait(rate: float, apart: float = 0.0) -> float:
+    """Mean seconds from the end of a raise to the start of the next, less those that are kept anyway."""
+    return max(60.0 / rate - MEAN - apart, SHORTEST)
+
+
+def _by_chance(life: Living, gap: Waits) -> Iterator[Raise]:
+    dice = life.dice
+    for event in events(life.start, life.end, gap, lambda k: dice.between(SHORTEST, LONGEST, "brows", k, "length")):
+        height = dice.between(FAINTEST, STRONGEST, "brows", event.index, "height")
+        yield Raise(event.start, event.end, height, 0.0)
+
+
+def _on_accents(life: Living, heard: Sequence[Accented], often: float) -> Iterator[Raise]:
+    """About `often` raises on the accents of one line, rather on strong ones; each is drawn by itself."""
+    total = sum(accent.strength**2 for accent in heard)
+    for accent in heard:
+        name, dice = f"brows {accent.line}", life.dice
+        if dice.chance(name, accent.index, "happens") * total < often * accent.strength**2:
+            length = dice.between(SHORTEST, LONGEST, name, accent.index, "length")
+            start = accent.time - LEAD - PEAK * length
+            share = (accent.strength + dice.chance(name, accent.index, "height")) / 2.0
+            height = FAINTEST + (STRONGEST - FAINTEST) * share
+            if start >= life.start:
+                yield Raise(start, start + length, height, accent.strength)

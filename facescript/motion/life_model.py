@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -12,6 +13,7 @@ from facescript.motion.drivers import ROWS, Floats
 from facescript.performance.curves import Curve, Pulses, Steps
 from facescript.performance.easing import Easing, smooth
 from facescript.schedule.score import TimedAct, TimedLine
+from facescript.speech.accents import heard
 
 ANNOUNCER = "announcer"
 """The preset whose intervals are the third seed's (`thesis`, chapter 4)."""
@@ -104,10 +106,32 @@ def pauses(lines: Iterable[TimedLine]) -> Iterator[float]:
     return (ended for line in lines for _, ended in speech(line))
 
 
-def accents(lines: Iterable[TimedLine]) -> Iterator[float]:
-    """When stressed phones of speech sound, seconds: the middle of each."""
-    for line in lines:
-        for phone in line.spoken.phones:
-            middle = line.start + (phone.start + phone.end) / 2.0
-            if phone.stress and middle < line.end:
-                yield middle
+def said(life: Living) -> Iterator[tuple[str, TimedLine]]:
+    """The lines of a face that sound in its life, each with a name for draws: its words, and how often they were said
+    before. So draws stay as they are when the script changes elsewhere."""
+    times: Counter[str] = Counter()
+    for line in life.lines:
+        text = " ".join(word.text for word in line.spoken.words)
+        times[text] += 1
+        if line.start < life.end and line.end > life.start:
+            yield f"{text} {times[text]}", line
+
+
+@dataclass(frozen=True, slots=True)
+class Accented:
+    """An accent of a face's speech: its line's name and its number in the line, seconds from the film's start, and its
+    strength in 0..1."""
+
+    line: str
+    index: int
+    time: float
+    strength: float
+
+
+def accents(life: Living, name: str, line: TimedLine) -> tuple[Accented, ...]:
+    """The accents of a line that sound in a life, in time order."""
+    return tuple(
+        Accented(name, index, line.start + accent.time, accent.strength)
+        for index, accent in enumerate(heard(line.spoken).accents)
+        if life.start <= line.start + accent.time < min(line.end, life.end)
+    )

@@ -86,4 +86,24 @@ class Wander:
         return drift
 
 
-Curve = Ramp | Pulses | Steps | Wander
+@dataclass(frozen=True, slots=True)
+class Spline:
+    """A smooth line near `knots`, one every `spacing` seconds from `start` on (uniform cubic B-spline: its acceleration
+    is continuous); 0 from one and a half spacings beyond them."""
+
+    start: float
+    spacing: float
+    knots: Floats
+
+    def at(self, times: Floats) -> Floats:
+        place = np.clip((times - self.start) / self.spacing, -3.0, len(self.knots) + 2.0)
+        which = np.floor(place).astype(np.int64)
+        x = place - which
+        rest = 1.0 - x
+        padded = np.concatenate([np.zeros(4), self.knots, np.zeros(5)])
+        bells = rest * rest * rest, 4.0 - 3.0 * x * x * (1.0 + rest), 4.0 - 3.0 * rest * rest * (1.0 + x), x * x * x
+        line: Floats = sum(bell * padded[which + 3 + step] for step, bell in enumerate(bells)) / 6.0
+        return line
+
+
+Curve = Ramp | Pulses | Steps | Wander | Spline

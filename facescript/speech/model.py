@@ -34,7 +34,7 @@ class PhoneTime:
     stress: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, weakref_slot=True)
 class Spoken:
     """A line as sound: mono samples (16-bit little-endian bytes) at `rate` Hz, words, phones, seconds.
 

@@ -6,12 +6,9 @@ through the candidates of all frames decides between octaves and between voiced 
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-from hashlib import blake2b
 from operator import sub
-from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -57,9 +54,6 @@ Hiss and hum are not a voice."""
 BLOCK = 4_096
 """Frames that are looked at together: what is held does not grow with the line."""
 
-MOST_KEPT = 1_000_000
-"""Frames kept of what was analysed before, 16 bytes each; what was asked for longest ago goes first."""
-
 
 @dataclass(frozen=True, slots=True)
 class Prosody:
@@ -74,41 +68,8 @@ class Prosody:
         return self.f0 > 0.0
 
 
-class Kept:
-    """What was analysed, by the sound's digest and rate, at most `most` frames of it and the last one."""
-
-    def __init__(self, most: int) -> None:
-        self._most, self._frames = most, 0
-        self._all: OrderedDict[tuple[bytes, int], Prosody] = OrderedDict()
-        self._lock = Lock()
-
-    def get(self, pcm: bytes, rate: int, make: Callable[[bytes, int], Prosody]) -> Prosody:
-        """What `make` gives for a sound; it is asked once."""
-        key = blake2b(pcm, digest_size=16).digest(), rate
-        with self._lock:
-            if key in self._all:
-                self._all.move_to_end(key)
-                return self._all[key]
-            found = self._all[key] = make(pcm, rate)
-            self._frames += len(found.f0)
-            while self._frames > self._most and len(self._all) > 1:
-                self._frames -= len(self._all.popitem(last=False)[1].f0)
-            return found
-
-
-_KEPT = Kept(MOST_KEPT)
-
-
 def prosody(pcm: bytes, rate: int) -> Prosody:
-    """The prosody of a sound: mono samples (16-bit little-endian) at `rate` Hz, at least 4,000.
-
-    A pure function; the same sound is not analysed again.
-    """
-    return _KEPT.get(pcm, rate, analysed)
-
-
-def analysed(pcm: bytes, rate: int) -> Prosody:
-    """As `prosody`, whether it was asked before or not."""
+    """The prosody of a sound: mono samples (16-bit little-endian) at `rate` Hz, at least 4,000. A pure function."""
     samples = np.frombuffer(pcm, dtype="<i2")
     count = int(len(samples) / rate / HOP) + 1 if len(samples) else 0
     blocks = [(first, min(first + BLOCK, count)) for first in range(0, count, BLOCK)]

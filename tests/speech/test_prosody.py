@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from facescript.speech.prosody import HOP, QUIET, Kept, Prosody, analysed, prosody
+from facescript.speech.prosody import HOP, QUIET, Prosody, prosody
 
 Floats = NDArray[np.float64]
 
@@ -107,21 +107,6 @@ def test_a_long_sound_is_as_its_parts_are() -> None:
     part = whole.f0[: 10 * 100]
     for turn in range(1, 5):
         assert whole.f0[1000 * turn + EDGE : 1000 * (turn + 1) - EDGE] == pytest.approx(part[EDGE:-EDGE], rel=0.01)
-
-
-def test_the_same_sound_is_analysed_once_and_little_is_kept() -> None:
-    made: list[bytes] = []
-
-    def make(sound: bytes, rate: int) -> Prosody:
-        made.append(sound)
-        return analysed(sound, rate)
-
-    kept = Kept(250)
-    sounds = [pcm(amplitude * np.sin(times(1.0))) for amplitude in (0.1, 0.2, 0.3)]
-    assert kept.get(sounds[0], RATE, make) is kept.get(bytes(bytearray(sounds[0])), RATE, make)
-    for sound in (*sounds[1:], sounds[2], sounds[0]):
-        kept.get(sound, RATE, make)
-    assert made == [*sounds, sounds[0]], "three lines of 100 frames do not fit in 250: the oldest was let go"
 
 
 # ------------------------------------------------------------------------------------------------ recordings
