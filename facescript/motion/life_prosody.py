@@ -24,6 +24,9 @@ SHORTEST, LONGEST = 0.28, 0.5
 RAREST = 0.3
 """How likely a nod on the faintest accent is; on the strongest it is certain (ours)."""
 
+SHALLOWEST = 0.3
+"""How deep a nod on the faintest accent is, as a part of the deepest (ours)."""
+
 LOWEST = 0.45
 """The share of a nod's length after which the head is lowest: at the accent's peak."""
 
@@ -42,7 +45,7 @@ SEMITONES, DECIBELS = 4.0, 10.0
 NEAR = 0.25
 """Seconds from the next voiced frame from which the head goes back to rest."""
 
-EDGE = 0.4
+EDGE = 0.5
 """Seconds around a line in which the head sets off and comes to rest."""
 
 SLOWNESS = 0.08
@@ -50,6 +53,9 @@ SLOWNESS = 0.08
 
 SPACING = 0.1
 """Seconds between the knots of the curve that is left."""
+
+RISE = 3
+"""Knots after the start of a life from which the head moves: it sets off from rest."""
 
 
 def beats(life: Living) -> Iterable[Moved]:
@@ -74,7 +80,9 @@ def _beats(life: Living, accented: Iterable[Accented]) -> Iterator[tuple[Event, 
         if dice.chance(name, accent.index, "happens") < RAREST + (1.0 - RAREST) * accent.strength:
             length = dice.between(SHORTEST, LONGEST, name, accent.index, "length")
             start = accent.time - LOWEST * length
-            depth = (0.3 + 0.7 * accent.strength) * dice.between(0.7, 1.0, name, accent.index, "depth")
+            depth = (SHALLOWEST + (1.0 - SHALLOWEST) * accent.strength) * dice.between(
+                0.7, 1.0, name, accent.index, "depth"
+            )
             if start >= life.start:
                 yield Event(accent.index, start, start + length), depth
 
@@ -89,6 +97,7 @@ def melody(life: Living) -> Iterable[Moved]:
     knots = np.zeros((len(TURNS), last - first + 1))
     for name, line in sounding:
         _lay(knots, first, line, np.array([_gains(life, name, axis) for axis in TURNS]))
+    knots[:, : max(round(life.start / SPACING) + RISE - first, 0)] = 0.0
     for axis, values in zip(TURNS, knots, strict=True):
         yield moved(Spline(first * SPACING, SPACING, values), **{f"head_{axis}": size})
 
@@ -96,8 +105,7 @@ def melody(life: Living) -> Iterable[Moved]:
 def _gains(life: Living, name: str, axis: str) -> tuple[float, float]:
     """Deg that an axis turns with the F0 and with the energy of a line."""
     reach, (low, high) = TURNS[axis]
-    draws = (life.dice.between(low, high, f"melody {name}", 0, f"{axis} {what}") for what in ("f0", "energy"))
-    along, loud = draws
+    along, loud = (life.dice.between(low, high, f"melody {name}", 0, f"{axis} {what}") for what in ("f0", "energy"))
     return reach * along, reach * LOUD * loud
 
 

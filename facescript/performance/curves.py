@@ -89,7 +89,7 @@ class Wander:
 @dataclass(frozen=True, slots=True)
 class Spline:
     """A smooth line near `knots`, one every `spacing` seconds from `start` on (uniform cubic B-spline: its acceleration
-    is continuous); 0 from one and a half spacings beyond them."""
+    is continuous); 0 from two spacings beyond them."""
 
     start: float
     spacing: float
