@@ -106,12 +106,26 @@ def test_nothing_in_it_is_quicker_than_3_hz() -> None:
 
 
 def test_a_line_that_breaks_off_moves_nothing_after() -> None:
-    whole, broken = (
-        drawn(life(sway=1.0, nods=1.0), (said(hum(3.6, HIGHER), 1.0, cut),), 8.0, 100.0) for cut in (None, 2.0)
+    what = life(sway=1.0, nods=1.0, brows=30.0)
+    whole, broken, silent = (
+        drawn(what, (*lines, said(hum(1.0, text="more"), 9.0)), 11.0, 100.0)
+        for lines in ((said(hum(3.6, HIGHER), 1.0),), (said(hum(3.6, HIGHER), 1.0, cut=2.0),), ())
     )
-    silent = drawn(life(sway=1.0, nods=1.0), (), 8.0, 100.0)
-    assert np.abs(broken["head.yaw"] - silent["head.yaw"])[270:].max() < 1e-9
-    assert np.abs(whole["head.yaw"] - silent["head.yaw"])[270:400].max() > 0.01
+    for name in ("head.yaw", "brow.inner.left"):
+        assert np.abs(whole[name] - silent[name])[280:400].max() > 0.01
+    for axis in HEAD:
+        assert np.abs(broken[axis] - silent[axis])[280:850].max() < 1e-9
+
+
+def test_the_head_rests_in_a_long_pause_of_a_line() -> None:
+    spoken = hum(6.0, {1.0: 6.0, 5.0: 6.0})
+    quiet = np.frombuffer(spoken.pcm, "<i2").copy()
+    quiet[round(2.0 * spoken.rate) : round(4.0 * spoken.rate)] = 0
+    paused = replace(spoken, pcm=quiet.tobytes())
+    moving, silent = (drawn(life(sway=1.0), lines, 8.0, 100.0) for lines in ((said(paused, 1.0),), ()))
+    for axis in HEAD:
+        way = np.abs(moving[axis] - silent[axis])
+        assert way[375:425].max() < 1e-9 and min(way[250:350].max(), way[450:550].max()) > 0.001
 
 
 def test_a_line_without_sound_or_voice_leaves_the_head_alone() -> None:
@@ -130,13 +144,15 @@ def test_gaze_stays_on_the_camera_while_the_head_goes_with_the_voice() -> None:
 def test_a_speaking_head_neither_jumps_nor_jolts() -> None:
     found = drawn(life(sway=1.0, nods=1.0), hummed(0.0, 4.0), 9.0)
     for axis in HEAD:
+        assert abs(found[axis][0]) < 1e-9, "it sets off from rest, though the line begins at once"
         assert largest_step(found[axis]) < FASTEST_STEP
         assert largest_step(np.diff(found[axis]) * 1000.0) < FASTEST_CHANGE
 
 
 def test_the_announcer_moves_by_the_thesis_alone() -> None:
+    announcer = Life("announcer", (("brows", 8.0), ("sway", 1.0), ("nods", 1.0)))
     with_accents, without = (
-        drawn(Life("announcer"), hummed(1.0, 6.0, 11.0, higher=higher), 20.0, 60.0) for higher in (HIGHER, {})
+        drawn(announcer, hummed(1.0, 6.0, 11.0, higher=higher), 20.0, 60.0) for higher in (HIGHER, {})
     )
     assert all(np.array_equal(with_accents[axis], without[axis]) for axis in (*HEAD, "brow.inner.left"))
 
