@@ -18,13 +18,18 @@ from facescript.motion.blend import (
 from facescript.motion.drivers import BLINKS, Drive, Floats, rows
 from facescript.motion.gaze import eyes, midline
 from facescript.performance.channels import INDEX, MOUTH, MUSCLES, SIDES
+from facescript.performance.easing import smooth
 from facescript.performance.performance import REST, Frames
 
 HEAD_LIMITS = (45.0, 30.0, 30.0)
 """How far the head turns (yaw, pitch, roll), deg to either side."""
 
-BLINK_TURN = 0.7, -1.2
+BLINK_TURN = 0.9, -1.4
 """Degrees the eye turns in a blink, nasally and up: 1 to 2 deg nasally and down (Doane 1980, bar B6)."""
+
+TURNS, TURNED = 0.15, 0.7
+"""How far a blink has shut when the eye sets off and when it has turned. So the eye moves faster than the lid, and is
+back before the lids are open (Doane 1980; `motion.md` 5)."""
 
 MOUTH_RANGE = {"wide": (-1.0, 1.0), "round": (0.0, 1.0), "teeth": (0.0, 1.0), "tongue": (0.0, 1.0)}
 """The ranges of the mouth's parts on which speech and expression add; the others have none."""
@@ -93,8 +98,9 @@ def _look(pose: Drive, asked: Asked, drive: Drive) -> None:
     drawn = wanted.copy()
     for side, (blink, nasal) in enumerate(zip(blinks, (-1.0, 1.0), strict=True)):
         pose[_LIDS[side]] = lid_drawn(lid_limit(drive[_LIDS[side]]), blink, wanted[:, side, 1])
-        drawn[:, side, 0] += nasal * BLINK_TURN[0] * blink
-        drawn[:, side, 1] += BLINK_TURN[1] * blink
+        turned = smooth((blink - TURNS) / (TURNED - TURNS))
+        drawn[:, side, 0] += nasal * BLINK_TURN[0] * turned
+        drawn[:, side, 1] += BLINK_TURN[1] * turned
     drawn = eyes_within(drawn)
     pose[_EYES] = drawn.reshape(-1, 6).T
     pose[_GAZE] = midline(drawn, head).T

@@ -19,6 +19,10 @@ class Dice:
     seed: int
     place: tuple[object, ...]
 
+    def at(self, *place: object) -> Dice:
+        """The draws of something in the scene that has a place of its own."""
+        return Dice(self.seed, (*self.place, *place))
+
     def chance(self, behaviour: str, index: int, purpose: str) -> float:
         """Uniform in [0, 1)."""
         return chance(self.seed, *self.place, behaviour, index, purpose)

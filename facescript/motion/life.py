@@ -11,17 +11,17 @@ from facescript.ir.acts import Life, SetLife
 from facescript.ir.values import Amount, Draw
 from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Drive, Floats, number
-from facescript.motion.life_away import averts
 from facescript.motion.life_blinks import blinks
 from facescript.motion.life_brows import brows
+from facescript.motion.life_eyes import eyes
 from facescript.motion.life_head import head, nods
 from facescript.motion.life_model import Behaviour, Living, Moved
+from facescript.motion.life_occasions import Occasions
 from facescript.motion.life_prosody import beats, melody
-from facescript.motion.life_saccades import saccades
 from facescript.performance.curves import Ramp
 from facescript.schedule.score import TimedAct, TimedLine
 
-BEHAVIOURS: tuple[Behaviour, ...] = (blinks, brows, head, nods, beats, melody, saccades, averts)
+BEHAVIOURS: tuple[Behaviour, ...] = (blinks, brows, head, nods, beats, melody, eyes)
 """All that a living face does unasked; a behaviour without its knob does nothing."""
 
 QUIETING = 0.4
@@ -75,14 +75,15 @@ def lives(
 def _spells(
     first: Life, acts: Sequence[TimedAct], lines: Sequence[TimedLine], start: float, end: float, dice: Dice
 ) -> Iterator[Spell]:
+    occasions = Occasions(acts, lines)
     changes = [(act.start, number(act.verb.over), act.verb.life) for act in acts if isinstance(act.verb, SetLife)]
     changes = [(start, 0.0, first), *changes]
     for index, (begun, over, life) in enumerate(changes):
         ended, fade = changes[index + 1][:2] if index + 1 < len(changes) else (end, 0.0)
         if ended <= begun:
             continue
-        own = Dice(dice.seed, (*dice.place, index))
-        living = Living(life.name, _knobs(life, own), begun, ended, own, acts, lines)
+        own = dice.at(life.name, sum(other.name == life.name for _, _, other in changes[:index]))
+        living = Living(life.name, _knobs(life, own), begun, ended, own, acts, lines, occasions)
         moves = tuple(item for behaviour in BEHAVIOURS for item in behaviour(living))
         gone = ended + max(fade, QUIETING)
         yield Spell(begun, gone, (Ramp(begun, begun + over), Ramp(ended, gone)), moves)
@@ -90,10 +91,10 @@ def _spells(
 
 def _knobs(life: Life, dice: Dice) -> dict[str, float]:
     """The knobs with their draws drawn."""
-    return {name: _drawn(amount, dice, index) for index, (name, amount) in enumerate(life.knobs)}
+    return {name: _drawn(amount, dice, name) for name, amount in life.knobs}
 
 
-def _drawn(amount: Amount, dice: Dice, index: int) -> float:
+def _drawn(amount: Amount, dice: Dice, name: str) -> float:
     if isinstance(amount, Draw):
-        return dice.between(amount.low, amount.high, "knob", index, "draw")
+        return dice.between(amount.low, amount.high, "knob", 0, name)
     return number(amount)

@@ -1,170 +1,188 @@
-"""Turns a life into looks away from the target: now and then, and while a turn to speak is thought out."""
+"""Turns a life into looks away from the target: now and then, and while a turn to speak is thought out.
+
+The sources disagree. Eyes Alive (Lee, Badler, Badler 2002) has the eyes on the partner for 41 % of the time that one
+speaks and for 75 % that one listens, yet 3.13 s on the partner and 0.93 s away when speaking: 77 %. Both hold where the
+0.93 s are what lies between two saccades, as its authors measured it: one looks away for several fixations. So it is
+here: the times on the partner and of each fixation away are theirs, and the number of fixations is what the 41 and 75 %
+make of them, 4.8 when speaking and 6.1 when listening. Argyle's 40 and 60 to 70 % agree (bars C1 and C2). Andrist 2013 has one long
+look away instead (1.96 and 1.14 s); he is followed for what Eyes Alive knows nothing of: looks away to think, and back
+before a turn ends (bar C3). `motion.md`, 3.2 and 8.
+"""
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import cos, inf, pi, sin
+from math import cos, exp, hypot, inf, log, pi, sin
 
-from facescript.ir.acts import Glance, Look, Scan
-from facescript.motion.dice import Event
-from facescript.motion.life_model import Living, Moved, moved, steps
-from facescript.schedule.score import TimedAct, TimedLine
-from facescript.space.main_sequence import head_time, saccade_time
+from facescript.motion.dice import Dice
+from facescript.motion.life_fixations import TARGET, Fixation, Offset, fixation
+from facescript.motion.life_model import Living
+from facescript.motion.life_occasions import Turn
+from facescript.motion.life_renewal import Span, log_normal_wait, renewals
+from facescript.motion.life_stretches import Stretches
 
-AWAY = 30.0
-"""Deg that a look away goes at most with `avert 100%`."""
+MEAN_SIZE, LARGEST_CHANCE, SCALE = 6.9, 15.0, 15.7
+"""A saccade is -6.9 ln(P / 15.7) deg, P uniform up to 15 (Eyes Alive): 0.31 deg and more."""
 
-SPEAKING, LISTENING = (1.8, 0.6), (5.0, 1.0)
-"""Mean and deviation of the seconds on the partner between looks away (chosen for the bars C1 and C2)."""
+DIRECTIONS = (15.54, 6.46, 17.69, 7.44, 16.80, 7.89, 20.38, 7.79)
+"""Percent of saccades by direction: the viewer's right, right and up, up, and so on round (Eyes Alive)."""
 
-SPEAKING_AWAY, LISTENING_AWAY = (2.4, 0.4), (1.14, 0.27)
-"""Mean and deviation of the seconds away (Andrist 2013; when speaking longer than his 1.96 s, for the bar C1)."""
-
-THINKING_BEFORE, THINKING_AFTER = (1.0, 0.25), (1.2, 0.25)
-"""Mean and deviation of the seconds that a thoughtful look away starts before speech, and ends after its start."""
-
-BACK = 2.3
-"""Seconds before the end of a turn from which the eyes are on the partner (bar C3)."""
-
-TURN_GAP = 1.0
-"""Seconds of silence that make a new turn."""
-
-SETTLING = 0.6
-"""Seconds between two looks away, and the shortest one: the head comes to rest."""
-
-HEAD_LAG = 0.1
-"""Seconds the head follows the eyes."""
+LEAVING = 3.0
+"""Deg from the target that is away: a gaze is felt as direct within 4 to 6 deg in all (`motion.md` 9)."""
 
 
 @dataclass(frozen=True, slots=True)
-class _Away:
-    """A look away, seconds; `thinking` ones go up and take more of the head."""
+class Manner:
+    """Means (s) and coefficients of variation of the times on the partner and of a fixation away, the share of the time
+    that the eyes are on the partner, and how far (deg) they go at most: Eyes Alive, its frames read at 30 a second."""
 
-    index: int
+    on: tuple[float, float]
+    away: tuple[float, float]
+    share: float
+    furthest: float
+
+    @property
+    def going_on(self) -> float:
+        """How likely a fixation away is to be followed by another one."""
+        return 1.0 - self.away[0] * self.share / (self.on[0] * (1.0 - self.share))
+
+
+SPEAKING = Manner((3.13, 3.16 / 3.13), (0.93, 0.80 / 0.93), 0.41, 27.5)
+LISTENING = Manner((7.92, 1.57 / 7.92), (0.43, 0.24 / 0.43), 0.75, 22.7)
+
+BRIEFEST, MOST = 0.15, 15
+"""Seconds of the shortest fixation away, and the most of them in one look away."""
+
+THINKING_BEFORE, THINKING_AFTER, BACK = (1.0, 0.25), (1.2, 0.25), (2.3, 0.5)
+"""Mean and deviation of the seconds that a thoughtful look away starts before a turn, and ends after its start, and
+that the eyes are back on the partner before its end (Andrist 2013)."""
+
+SOONEST, LATEST = 0.5, 4.0
+"""Seconds that the first and the last of these keep to; the eyes are back half a second before a turn's end anyway."""
+
+SETTLING = 0.6
+"""Seconds before a gaze shift and such by which a look away is over, and those of the shortest: the head comes to rest."""
+
+IDLE_HEAD, THINKING_HEAD = 0.1, 0.4
+"""The part of a look away that the head goes along (Andrist 2013)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Away:
+    """A look away, seconds: its fixations, and how far the head goes along (yaw and pitch, deg)."""
+
     start: float
     end: float
-    thinking: bool
+    fixations: tuple[Fixation, ...]
+    head: Offset
 
 
-def averts(life: Living) -> Iterable[Moved]:
-    """The line of sight leaves the target, as far as the knob `avert` says (1: 30 deg), and the head goes along a bit.
-
-    Never in a `look` with `for`, a `glance` or a `scan`, nor while the eyes go where the script sends them.
-    """
-    reach = AWAY * life.knob("avert")
-    if reach <= 0.0:
-        return
-    found = tuple(_aways(life))
-    places = [_direction(life, item, reach) for item in found]
-    eyes = tuple(_there_and_back(found, 0.0, saccade_time(reach)))
-    turn = tuple(_there_and_back(found, HEAD_LAG, head_time(reach * 0.4)))
-    for axis, name in enumerate(("yaw", "pitch")):
-        sight = [pose for place in places for pose in (place[axis], 0.0)]
-        head = [(0.4 if item.thinking else 0.1) * place[axis] for item, place in zip(found, places, strict=True)]
-        along = [pose for part in head for pose in (part, 0.0)]
-        yield moved(steps(eyes, sight.__getitem__), **{f"gaze_{name}": 1.0})
-        yield moved(steps(turn, along.__getitem__), **{f"head_{name}": 1.0})
+def looks_away(life: Living, reach: float) -> Iterator[Away]:
+    """Looks away of `reach` deg at most, in time order. None is in a `look` with `for`, a `glance` or a `scan`, nor
+    while the eyes go where the script sends them."""
+    turns = life.occasions.turns(life.start, life.end)
+    busy = [(start - SETTLING, end) for start, end in life.occasions.busy.within(life.start - 1.0, life.end + 1.0)]
+    busy.append((life.end - SETTLING, inf))
+    thoughts = tuple(_thoughts(life, turns, reach, Stretches(busy)))
+    busy += [(item.start - SETTLING, item.end) for item in thoughts]
+    silent = Stretches([*busy, *((turn.start - SETTLING, turn.end) for turn in turns)])
+    found = [*thoughts, *_idle(life.dice, LISTENING, life.start, life.end, silent, reach)]
+    held = Stretches([*busy, *((turn.end - _back(life, turn), turn.end + SETTLING) for turn in turns)])
+    for turn in turns:
+        start, end = max(turn.start, life.start), min(turn.end, life.end)
+        found += _idle(life.dice.at(*turn.place), SPEAKING, start, end, held, reach)
+    yield from sorted(found, key=lambda item: item.start)
 
 
-def _there_and_back(found: Sequence[_Away], lag: float, length: float) -> Iterator[Event]:
-    for number, item in enumerate(found):
-        yield Event(2 * number, item.start + lag, item.start + lag + length)
-        yield Event(2 * number + 1, item.end + lag, item.end + lag + length)
+def _back(life: Living, turn: Turn) -> float:
+    drawn = life.dice.at(*turn.place).normal(*BACK, "think", 0, "back")
+    return min(LATEST, max(SOONEST, drawn))
 
 
-def _direction(life: Living, item: _Away, reach: float) -> tuple[float, float]:
-    """Where a look away goes, deg: aside, up or down (70, 10, 20 % idly; 10, 70, 20 % in thought; `motion.md` 8)."""
-    name = "think" if item.thinking else "avert"
-    way = life.dice.chance(name, item.index, "way")
-    aside, up = (0.1, 0.8) if item.thinking else (0.7, 0.8)
-    side = 0.0 if life.dice.chance(name, item.index, "side") < 0.5 else pi
-    middle, height = (side, 1.0) if way < aside else (pi / 2.0, 0.6) if way < up else (-pi / 2.0, 0.6)
-    far = reach * height * life.dice.between(0.6, 1.0, name, item.index, "far")
-    turn = middle + life.dice.between(-0.4, 0.4, name, item.index, "turn")
-    return far * cos(turn), far * sin(turn)
-
-
-def _aways(life: Living) -> Iterator[_Away]:
-    """All looks away that may be, in time order."""
-    turns = Stretches(_turns(life.lines))
-    busy = Stretches(_busy(life.acts))
-    thoughts = tuple(
-        item for item in _thoughts(life, turns) if busy.next(item.start - SETTLING)[0] > item.end + SETTLING
-    )
-    held = [(item.start, item.end) for item in thoughts]
-    held += [(max(end - BACK, start + THINKING_AFTER[0]), end) for start, end in turns]
-    yield from sorted((*thoughts, *_idle(life, turns, Stretches((*busy, *held)))), key=lambda item: item.start)
-
-
-def _thoughts(life: Living, turns: Stretches) -> Iterator[_Away]:
+def _thoughts(life: Living, turns: Sequence[Turn], reach: float, busy: Stretches) -> Iterator[Away]:
+    """The looks away about the starts of turns; a short answer needs no thought."""
     clear = life.start
-    for index, (turn, _) in enumerate(turns):
-        start = turn - life.dice.normal(*THINKING_BEFORE, "think", index, "before")
-        end = turn + life.dice.normal(*THINKING_AFTER, "think", index, "after")
-        if start >= clear and end + SETTLING <= life.end:
-            yield _Away(index, start, end, True)
-            clear = end + SETTLING
+    for turn in turns:
+        dice = life.dice.at(*turn.place)
+        start = turn.start - max(SOONEST, dice.normal(*THINKING_BEFORE, "think", 0, "before"))
+        end = turn.start + dice.normal(*THINKING_AFTER, "think", 0, "after")
+        start, end = max(start, clear), min(end, turn.end - SOONEST)
+        if turn.start - start >= SETTLING / 2.0 and end > turn.start and busy.next(start)[0] >= end:
+            first = _thoughtful(dice, reach)
+            yield _away(dice, "think", 0, SPEAKING, (start, end), first, reach, THINKING_HEAD)
+        clear = turn.end + SETTLING / 2.0
 
 
-def _idle(life: Living, turns: Stretches, closed: Stretches) -> Iterator[_Away]:
-    """Looks away now and then. None begins in a stretch that is `closed`; one that would run into it ends before."""
-    time, index = life.start, 0
-    while time < life.end:
-        speaking = turns.next(time)[0] <= time
-        on, away = (SPEAKING, SPEAKING_AWAY) if speaking else (LISTENING, LISTENING_AWAY)
-        start = time + max(SETTLING, life.dice.normal(*on, "avert", index, "on"))
-        end = start + max(SETTLING, life.dice.normal(*away, "avert", index, "away"))
-        shut, opened = closed.next(start - SETTLING)
-        latest = min(shut, life.end) - SETTLING
-        time = min(end, latest)
-        if end > latest and latest - start < SETTLING:
-            time = max(start, min(opened, life.end))
-        else:
-            yield _Away(index, start, time, False)
-        index += 1
+def _idle(dice: Dice, manner: Manner, start: float, end: float, closed: Stretches, reach: float) -> Iterator[Away]:
+    """Looks away now and then from `start` to `end`, none of them `closed`."""
+    reach = min(reach, manner.furthest)
+    wait = log_normal_wait(*manner.on)
+
+    def lasting(number: int) -> float:
+        return max(SETTLING, sum(_stays(dice, "avert", number, manner)))
+
+    for item in renewals(dice, "avert", wait, Span(start, end), lasting, closed, SETTLING):
+        first = _saccade(dice, f"avert {item.index}", 0, min(LEAVING, 0.6 * reach), reach)
+        yield _away(dice, "avert", item.index, manner, (item.start, item.end), first, reach, IDLE_HEAD)
 
 
-class Stretches:
-    """Stretches of time that do not overlap, made of some that may: start and end in seconds."""
-
-    def __init__(self, stretches: Iterable[tuple[float, float]]) -> None:
-        self._all: list[tuple[float, float]] = []
-        for start, end in sorted(stretches):
-            if self._all and start <= self._all[-1][1]:
-                self._all[-1] = self._all[-1][0], max(end, self._all[-1][1])
-            else:
-                self._all.append((start, end))
-        self._ends = [end for _, end in self._all]
-
-    def __iter__(self) -> Iterator[tuple[float, float]]:
-        return iter(self._all)
-
-    def next(self, time: float) -> tuple[float, float]:
-        """The first that ends after `time`; one that never comes where there is none."""
-        index = bisect_right(self._ends, time)
-        return self._all[index] if index < len(self._all) else (inf, inf)
+def _away(
+    dice: Dice, behaviour: str, number: int, manner: Manner, span: tuple[float, float], first: Offset, reach: float,
+    share: float
+) -> Away:  # fmt: skip
+    """A look away to `first` and, where it lasts, on from there."""
+    start, end = span
+    found, here, time = [fixation(start, first)], first, start
+    for step, stay in enumerate(_stays(dice, behaviour, number, manner), 1):
+        time += stay
+        if time > end - BRIEFEST:
+            break
+        here = _onwards(dice, f"{behaviour} {number}", step, here, reach)
+        found.append(fixation(time, here))
+    found.append(fixation(end, TARGET))
+    return Away(start, end, tuple(found), (share * first[0], share * first[1]))
 
 
-def _turns(lines: Sequence[TimedLine]) -> Iterator[tuple[float, float]]:
-    """Stretches of speech with no silence of `TURN_GAP` in them."""
-    start = end = None
-    for line in lines:
-        if start is None or end is None:
-            start = line.start
-        elif line.start - end >= TURN_GAP:
-            yield start, end
-            start = line.start
-        end = line.end
-    if start is not None and end is not None:
-        yield start, end
+def _stays(dice: Dice, behaviour: str, number: int, manner: Manner) -> Iterator[float]:
+    """Seconds of the fixations of a look away, one after another."""
+    for step in range(MOST):
+        yield max(BRIEFEST, dice.log_normal(*manner.away, f"{behaviour} {number}", step, "stay"))
+        if dice.chance(f"{behaviour} {number}", step, "on") >= manner.going_on:
+            return
 
 
-def _busy(acts: Sequence[TimedAct]) -> Iterator[tuple[float, float]]:
-    """When the script has the eyes to itself."""
-    for act in acts:
-        if isinstance(act.verb, (Glance, Scan)) or (isinstance(act.verb, Look) and act.verb.timing.lasting is not None):
-            yield act.start, act.end
-        for plan in act.plan:
-            yield plan.starts, max(plan.landed, plan.head_done)
+def _saccade(dice: Dice, behaviour: str, number: int, least: float, most: float) -> Offset:
+    """A saccade of `least` to `most` deg: its way."""
+    low, high = SCALE * exp(-most / MEAN_SIZE), min(LARGEST_CHANCE, SCALE * exp(-least / MEAN_SIZE))
+    size = -MEAN_SIZE * log(dice.between(low, high, behaviour, number, "size") / SCALE)
+    drawn, turn = dice.between(0.0, sum(DIRECTIONS), behaviour, number, "way"), 0
+    while turn < 7 and drawn >= DIRECTIONS[turn]:
+        drawn -= DIRECTIONS[turn]
+        turn += 1
+    angle = (turn - 0.5 + dice.chance(behaviour, number, "turn")) * pi / 4.0
+    return size * cos(angle), size * sin(angle)
+
+
+TRIES = 8
+"""Draws of a further saccade; where all of them end out of reach or on the target, the eyes stay."""
+
+
+def _onwards(dice: Dice, behaviour: str, step: int, here: Offset, reach: float) -> Offset:
+    """Where the eyes go next when they are away: neither back to the target nor beyond `reach`."""
+    for attempt in range(TRIES):
+        yaw, pitch = _saccade(dice, behaviour, TRIES * step + attempt, 0.0, reach)
+        there = here[0] + yaw, here[1] + pitch
+        if min(LEAVING, 0.6 * reach) <= hypot(*there) <= reach:
+            return there
+    return here
+
+
+def _thoughtful(dice: Dice, reach: float) -> Offset:
+    """Where a look away to think goes: up (70 %), aside (10 %) or down (20 %; Andrist 2013)."""
+    way = dice.chance("think", 0, "way")
+    side = 0.0 if dice.chance("think", 0, "side") < 0.5 else pi
+    middle, height = (side, 1.0) if way < 0.1 else (pi / 2.0, 0.6) if way < 0.8 else (-pi / 2.0, 0.6)
+    far = reach * height * dice.between(0.6, 1.0, "think", 0, "far")
+    turn = middle + dice.between(-0.4, 0.4, "think", 0, "turn")
+    return far * cos(turn), far * sin(turn)

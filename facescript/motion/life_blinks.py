@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from math import exp
 
-from facescript.motion.dice import Event, events
+from facescript.motion.dice import Dice, Event
 from facescript.motion.gesture import blink_profile
 from facescript.motion.life_model import Living, Moved, moved, pulses
+from facescript.motion.life_occasions import Shift
+from facescript.motion.life_renewal import Span, gamma_wait, log_normal_wait, renewals
+from facescript.motion.life_stations import THETA
+from facescript.motion.life_stretches import Stretches
 
 LENGTH = 0.236
 """Mean seconds of a spontaneous blink: its closing phase, 28 % of it, takes 66 ms (`motion.md` 5, bar B3)."""
@@ -15,11 +19,14 @@ LENGTH = 0.236
 SPREAD = 0.15
 """How far a blink's length strays from the mean."""
 
+LONGEST = LENGTH * (1.0 + SPREAD)
+"""Seconds the longest blink takes."""
+
+CLEAR = LONGEST + LENGTH
+"""Seconds before a blink of a gaze shift in which no other begins."""
+
 VARIATION = 0.6
 """Coefficient of variation of the intervals: 5.2 +- 3.1 s (pubmed 21345986, bar B2)."""
-
-THETA = 1.48
-"""The announcer's wait: gamma with shape 2 and this scale in seconds, from the end of a blink (`thesis` 4.3)."""
 
 ANNOUNCER_RATE = 60.0 / (2.0 * THETA + LENGTH)
 """The announcer's blinks a minute where no knob says otherwise."""
@@ -29,14 +36,18 @@ COMPLETE = 0.44
 
 
 def blinks(life: Living) -> Iterable[Moved]:
-    """Both lids, at the rate of the knob `blink` (1/min), besides the blinks of gaze shifts."""
+    """Both lids, at the rate of the knob `blink` (1/min), besides the blinks of gaze shifts.
+
+    A blink of a gaze shift begins the wait for the next anew, and no other begins just before it.
+    """
     rate = life.knobs.get("blink", ANNOUNCER_RATE if life.announcing else 0.0)
     if rate <= 0.0:
         return
     evoked = tuple(_evoked(life))
-    free = (event for event in _spontaneous(life, rate) if not any(_near(event, other) for other in evoked))
-    for found, kind, low in ((free, "blink", 0.51), (evoked, "gaze blink", 0.8)):
-        yield moved(pulses(found, _heights(life, kind, low), blink_profile), blink_left=1.0, blink_right=1.0)
+    heights = [_height(life.dice.at(*shift.place), "gaze blink", 0, 0.8) for shift, _ in evoked]
+    yield _lids([event for _, event in evoked], heights.__getitem__)
+    free = tuple(_spontaneous(life, rate, Stretches((event.start, event.end) for _, event in evoked)))
+    yield _lids(free, lambda number: _height(life.dice, "blink", number, 0.51))
 
 
 def evoked_chance(amplitude: float) -> float:
@@ -44,46 +55,33 @@ def evoked_chance(amplitude: float) -> float:
     return 1.0 / (1.0 + exp(-(amplitude - 22.0) / 3.2))
 
 
-def _spontaneous(life: Living, rate: float) -> Iterator[Event]:
-    wait = max(60.0 / rate - LENGTH, LENGTH)
-
-    def gap(index: int) -> float:
-        if life.announcing:
-            found = life.dice.gamma(wait / 2.0, "blink", index, "gap")
-        else:
-            found = life.dice.log_normal(wait, VARIATION, "blink", index, "gap")
-        return found if index else found * life.dice.chance("blink", 0, "phase")
-
-    return events(life.start, life.end, gap, lambda index: _length(life, "blink", index))
+def _lids(found: Sequence[Event], height: Callable[[int], float]) -> Moved:
+    return moved(pulses(found, height, blink_profile), blink_left=1.0, blink_right=1.0)
 
 
-def _evoked(life: Living) -> Iterator[Event]:
+def _spontaneous(life: Living, rate: float, evoked: Stretches) -> Iterator[Event]:
+    mean = max(60.0 / rate - LENGTH, LENGTH)
+    wait = gamma_wait(mean / 2.0) if life.announcing else log_normal_wait(mean, VARIATION)
+    span = Span(life.start, life.end, mean * life.dice.chance("blink", 0, "waited"))
+    return renewals(life.dice, "blink", wait, span, lambda number: _length(life.dice, "blink", number), evoked, CLEAR)
+
+
+def _evoked(life: Living) -> Iterator[tuple[Shift, Event]]:
     """Blinks that set off with eyes or head, whichever is first (bar H11)."""
-    plans = (plan for act in life.acts for plan in act.plan if life.start <= plan.starts < life.end)
-    clear = life.start
-    for index, plan in enumerate(sorted(plans, key=lambda plan: plan.starts)):
-        if plan.starts < clear or plan.instant:
-            continue
-        if life.dice.chance("gaze blink", index, "happens") < evoked_chance(plan.amplitude):
-            clear = plan.starts + _length(life, "gaze blink", index)
-            yield Event(index, plan.starts, clear)
+    clear, found = life.start, 0
+    for shift in life.occasions.shifts(life.start, life.end):
+        dice = life.dice.at(*shift.place)
+        if shift.start >= clear and dice.chance("gaze blink", 0, "happens") < evoked_chance(shift.amplitude):
+            yield shift, Event(found, shift.start, shift.start + _length(dice, "gaze blink", 0))
+            clear, found = shift.start + LONGEST, found + 1
 
 
-def _near(event: Event, other: Event) -> bool:
-    """Whether two blinks would run into one another."""
-    return event.start < other.end + LENGTH and other.start < event.end + LENGTH
+def _length(dice: Dice, behaviour: str, number: int) -> float:
+    return LENGTH * dice.between(1.0 - SPREAD, 1.0 + SPREAD, behaviour, number, "length")
 
 
-def _length(life: Living, kind: str, index: int) -> float:
-    return LENGTH * life.dice.between(1.0 - SPREAD, 1.0 + SPREAD, kind, index, "length")
-
-
-def _heights(life: Living, kind: str, low: float) -> Callable[[int], float]:
-    """How far each blink shuts the eye (0..1); those that are not complete start at `low`."""
-
-    def height(index: int) -> float:
-        if life.dice.chance(kind, index, "complete") < COMPLETE:
-            return life.dice.between(0.95, 1.0, kind, index, "height")
-        return life.dice.between(low, low + 0.24, kind, index, "height")
-
-    return height
+def _height(dice: Dice, behaviour: str, number: int, low: float) -> float:
+    """How far a blink shuts the eye (0..1); those that are not complete start at `low`."""
+    if dice.chance(behaviour, number, "complete") < COMPLETE:
+        return dice.between(0.95, 1.0, behaviour, number, "height")
+    return dice.between(low, low + 0.24, behaviour, number, "height")

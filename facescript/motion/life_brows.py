@@ -6,20 +6,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from facescript.motion.dice import Event, Waits, events
-from facescript.motion.life_away import Stretches
-from facescript.motion.life_model import Accented, Living, Moved, accents, moved, pulses, said, speech
+from facescript.motion.life_model import Accented, Living, Moved, accents, moved, pulses, said
+from facescript.motion.life_occasions import speech
+from facescript.motion.life_stretches import Stretches
 from facescript.performance.easing import through
 
-SHORTEST, LONGEST = 0.51, 0.99
-"""Seconds from the start of a raise to the end of its lowering (`thesis` 4.4)."""
-
-MEAN = (SHORTEST + LONGEST) / 2.0
-
-SOONEST, LATEST = 0.90, 12.54
-"""The announcer's seconds from the end of a raise to the start of the next, uniform (`thesis` 4.4)."""
-
-ANNOUNCER_RATE = 120.0 / (SHORTEST + LONGEST + SOONEST + LATEST)
-"""The announcer's raises a minute where no knob says otherwise."""
+LEAST = 0.5
+"""Seconds from a raise to the next at least, on average: no knob makes a flutter of them."""
 
 VARIATION = 0.6
 """Coefficient of variation of the others' intervals, as for blinks."""
@@ -51,7 +44,8 @@ class Raise:
 
 def brows(life: Living) -> Iterable[Moved]:
     """AU1 and AU2 of both sides, at the rate of the knob `brows` (1/min)."""
-    rate = life.knobs.get("brows", ANNOUNCER_RATE if life.announcing else 0.0)
+    station = life.station
+    rate = life.knobs.get("brows", station.brow_rate if life.announcing else 0.0)
     if rate <= 0.0:
         return
     found = tuple(_announced(life, rate) if life.announcing else _of_talk(life, rate))
@@ -62,8 +56,9 @@ def brows(life: Living) -> Iterable[Moved]:
 
 def _announced(life: Living, rate: float) -> Iterator[Raise]:
     """Raises at the thesis's intervals, whatever is said."""
-    scale = 2.0 * _wait(rate) / (SOONEST + LATEST)
-    return _by_chance(life, lambda index: scale * life.dice.between(SOONEST, LATEST, "brows", index, "gap"))
+    gaps = life.station.brow_gaps
+    scale = 2.0 * _wait(life, rate) / sum(gaps)
+    return _by_chance(life, lambda index: scale * life.dice.between(*gaps, "brows", index, "gap"))
 
 
 def _of_talk(life: Living, rate: float) -> Iterator[Raise]:
@@ -74,27 +69,32 @@ def _of_talk(life: Living, rate: float) -> Iterator[Raise]:
         heard = accents(life, name, line)
         stretches = tuple(speech(line)) if heard else ()
         closed += stretches
-        often = sum(end - start + MEAN for start, end in stretches) / _wait(rate, APART)
+        often = sum(end - start + _mean(life) for start, end in stretches) / _wait(life, rate, APART)
         for item in _on_accents(life, heard, often):
             if spoken and item.start < spoken[-1].end + APART:
                 item = max(spoken.pop(), item, key=lambda one: one.strength)
             spoken.append(item)
     closed += [(item.start - APART, item.end + APART) for item in spoken]
     busy = Stretches(closed)
-    idle = _by_chance(life, lambda index: life.dice.log_normal(_wait(rate), VARIATION, "brows", index, "gap"))
+    idle = _by_chance(life, lambda index: life.dice.log_normal(_wait(life, rate), VARIATION, "brows", index, "gap"))
     yield from sorted(
         (*spoken, *(item for item in idle if busy.next(item.start)[0] >= item.end)), key=lambda item: item.start
     )
 
 
-def _wait(rate: float, apart: float = 0.0) -> float:
+def _mean(life: Living) -> float:
+    """The mean length of a raise, s."""
+    return sum(life.station.brow_lengths) / 2.0
+
+
+def _wait(life: Living, rate: float, apart: float = 0.0) -> float:
     """Mean seconds from the end of a raise to the start of the next, less those that are kept anyway."""
-    return max(60.0 / rate - MEAN - apart, SHORTEST)
+    return max(60.0 / rate - _mean(life) - apart, LEAST)
 
 
 def _by_chance(life: Living, gap: Waits) -> Iterator[Raise]:
-    dice = life.dice
-    for event in events(life.start, life.end, gap, lambda k: dice.between(SHORTEST, LONGEST, "brows", k, "length")):
+    dice, lengths = life.dice, life.station.brow_lengths
+    for event in events(life.start, life.end, gap, lambda k: dice.between(*lengths, "brows", k, "length")):
         height = dice.between(FAINTEST, STRONGEST, "brows", event.index, "height")
         yield Raise(event.start, event.end, height, 0.0)
 
@@ -105,7 +105,7 @@ def _on_accents(life: Living, heard: Sequence[Accented], often: float) -> Iterat
     for accent in heard:
         name, dice = f"brows {accent.line}", life.dice
         if dice.chance(name, accent.index, "happens") * total < often * accent.strength**2:
-            length = dice.between(SHORTEST, LONGEST, name, accent.index, "length")
+            length = dice.between(*life.station.brow_lengths, name, accent.index, "length")
             start = accent.time - LEAD - PEAK * length
             share = (accent.strength + dice.chance(name, accent.index, "height")) / 2.0
             height = FAINTEST + (STRONGEST - FAINTEST) * share

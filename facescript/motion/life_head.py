@@ -8,7 +8,8 @@ from math import ceil
 import numpy as np
 
 from facescript.motion.dice import Event, events
-from facescript.motion.life_model import Living, Moved, moved, pauses, steps
+from facescript.motion.life_model import Living, Moved, moved, steps
+from facescript.motion.life_stations import Interval
 from facescript.performance.curves import Steps, Wander
 
 SWAY = {"head.yaw": 2.4, "head.pitch": 1.4, "head.roll": 1.8}
@@ -20,22 +21,19 @@ WAVES = ((2.9, 0.75), (1.1, 0.25))
 TILT, TURN, NOD = 4.0, 6.0, 5.0
 """How far the announcer tilts, turns and nods at most, deg (ours, within the thesis' 15)."""
 
-TILT_GAPS, TILT_LENGTHS = (0.0, 6.64), (0.4, 1.0)
-TURN_GAPS, TURN_LENGTHS = (0.08, 7.92), (0.4, 0.92)
-"""Seconds from the end of a movement to the next and of a movement, uniform (`thesis` 4.5, tables 4.3 to 4.7)."""
-
-NOD_AHEAD, NOD_LENGTHS, LIFT_LENGTHS = (0.07, 0.35), (0.34, 0.94), (0.34, 0.70)
-"""Seconds from a nod's end to the pause, of a nod, and of the lift that starts with the pause (table 4.12)."""
+MOST = 3.0
+"""The knobs `sway` and `nods` grow up to here: a head that goes further would have to jerk."""
 
 
 def head(life: Living) -> Iterable[Moved]:
     """The announcer moves from pose to pose, everyone else sways (knob `sway`)."""
-    size = life.knobs.get("sway", 1.0 if life.announcing else 0.0)
+    size = min(MOST, life.knobs.get("sway", 1.0 if life.announcing else 0.0))
     if size <= 0.0:
         return
     if life.announcing:
-        yield moved(_poses(life, "tilt", TILT_GAPS, TILT_LENGTHS), head_roll=size * TILT)
-        yield moved(_poses(life, "turn", TURN_GAPS, TURN_LENGTHS), head_yaw=size * TURN)
+        station = life.station
+        yield moved(_poses(life, "tilt", station.tilt_gaps, station.tilt_lengths), head_roll=size * TILT)
+        yield moved(_poses(life, "turn", station.turn_gaps, station.turn_lengths), head_yaw=size * TURN)
         return
     for name, reach in SWAY.items():
         for spacing, share in WAVES:
@@ -44,28 +42,31 @@ def head(life: Living) -> Iterable[Moved]:
 
 def nods(life: Living) -> Iterable[Moved]:
     """A nod that ends just before each pause of the face's speech, and a lift as the pause begins (knob `nods`)."""
-    size = life.knobs.get("nods", 1.0 if life.announcing else 0.0)
-    if size <= 0.0 or not life.lines:
+    size = min(MOST, life.knobs.get("nods", 1.0 if life.announcing else 0.0))
+    if size <= 0.0:
         return
     found = tuple(_nods(life))
-    depths = {index: -life.dice.between(0.6, 1.0, "nod", index, "depth") for index in range(0, len(found), 2)}
-    yield moved(steps(found, lambda index: depths.get(index, 0.0)), head_pitch=size * NOD)
+    events = [Event(2 * number + part, *pair[part]) for number, (_, pair) in enumerate(found) for part in (0, 1)]
+    depths = [pose for depth, _ in found for pose in (depth, 0.0)]
+    yield moved(steps(events, depths.__getitem__), head_pitch=size * NOD)
 
 
-def _nods(life: Living) -> Iterator[Event]:
-    """Nod and lift in turn: events 2 k and 2 k + 1. A pause too close to the one before has none."""
-    clear, index = life.start, 0
-    for number, pause in enumerate(pauses(life.lines)):
-        ahead, length, lift = (
-            life.dice.between(*bounds, "nod", number, purpose)
-            for bounds, purpose in ((NOD_AHEAD, "ahead"), (NOD_LENGTHS, "length"), (LIFT_LENGTHS, "lift"))
-        )
-        begun = pause - ahead - length
-        if begun < clear or pause >= life.end:
+def _nods(life: Living) -> Iterator[tuple[float, tuple[Interval, Interval]]]:
+    """How deep each nod goes (-1..0), and when it and the lift after it begin and end.
+
+    A pause has none where the longest nod there is would not find room after the lift before: a rule that knew this
+    nod's own length would make long ones rarer than the statistics have them.
+    """
+    station, clear = life.station, life.start
+    room = station.nod_ahead[1] + station.nod_lengths[1]
+    for pause in life.occasions.pauses(life.start + room, life.end):
+        if pause.start - room < clear:
             continue
-        yield Event(index, begun, pause - ahead)
-        yield Event(index + 1, pause, pause + lift)
-        clear, index = pause + lift, index + 2
+        dice = life.dice.at(*pause.place)
+        nodded = pause.start - dice.between(*station.nod_ahead, "nod", 0, "ahead")
+        begun = nodded - dice.between(*station.nod_lengths, "nod", 0, "length")
+        clear = pause.start + dice.between(*station.lift_lengths, "nod", 0, "lift")
+        yield -dice.between(0.6, 1.0, "nod", 0, "depth"), ((begun, nodded), (pause.start, clear))
 
 
 def _poses(life: Living, behaviour: str, gaps: tuple[float, float], lengths: tuple[float, float]) -> Steps:

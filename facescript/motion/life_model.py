@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -10,23 +9,21 @@ import numpy as np
 
 from facescript.motion.dice import Dice, Event
 from facescript.motion.drivers import ROWS, Floats
+from facescript.motion.life_fixations import Fixations
+from facescript.motion.life_occasions import Occasions
+from facescript.motion.life_stations import ANNOUNCER, STATIONS, Station
 from facescript.performance.curves import Curve, Pulses, Steps
 from facescript.performance.easing import Easing, smooth
 from facescript.schedule.score import TimedAct, TimedLine
 from facescript.speech.accents import heard
-
-ANNOUNCER = "announcer"
-"""The preset whose intervals are the third seed's (`thesis`, chapter 4)."""
-
-PAUSE = 0.12
-"""Seconds of silence inside a line that make a pause; shorter ones are closures of the consonants."""
 
 
 @dataclass(frozen=True, slots=True)
 class Living:
     """One life of one face from `start` to `end` (seconds from the film's start) in a scene.
 
-    `knobs` are in base units (`ir.acts.Life`), `acts` and `lines` the face's own in that scene.
+    `knobs` are in base units (`ir.acts.Life`), `acts` and `lines` the face's own in that scene, `occasions` what lives
+    heed of them.
     """
 
     preset: str
@@ -36,6 +33,7 @@ class Living:
     dice: Dice
     acts: Sequence[TimedAct]
     lines: Sequence[TimedLine]
+    occasions: Occasions
 
     def knob(self, name: str) -> float:
         """A knob, 0 where the life has none of it."""
@@ -43,14 +41,20 @@ class Living:
 
     @property
     def announcing(self) -> bool:
-        return self.preset == ANNOUNCER
+        """Whether it moves by the statistics of newsreaders."""
+        return self.preset in STATIONS
+
+    @property
+    def station(self) -> Station:
+        """The newsreaders' statistics that it moves by, or takes single ones from."""
+        return STATIONS.get(self.preset, ANNOUNCER)
 
 
 @dataclass(frozen=True, slots=True)
 class Moved:
     """A curve and what it moves: the rows of a drive, and how much of the curve each takes."""
 
-    curve: Curve
+    curve: Curve | Fixations
     gains: tuple[tuple[int, float], ...]
 
 
@@ -58,7 +62,7 @@ Behaviour = Callable[[Living], Iterable[Moved]]
 """Turns a life into movements: nothing where its knob is 0."""
 
 
-def moved(curve: Curve, **gains: float) -> Moved:
+def moved(curve: Curve | Fixations, **gains: float) -> Moved:
     """A curve on drivers by name, a dot written as `_`."""
     return Moved(curve, tuple((ROWS[name.replace("_", ".")], gain) for name, gain in gains.items()))
 
@@ -82,41 +86,6 @@ def _columns(found: Sequence[Event]) -> tuple[Floats, Floats]:
     return starts, np.array([event.end - event.start for event in found])
 
 
-def speech(line: TimedLine) -> Iterator[tuple[float, float]]:
-    """Where a line sounds, seconds from the film's start: stretches without a pause in them."""
-    phones = [(phone.start, phone.end) for phone in line.spoken.phones if phone.symbol]
-    words = [(word.start, word.end) for word in line.spoken.words]
-    begun = ended = None
-    for first, last in phones or words or [(0.0, line.spoken.duration)]:
-        first, last = line.start + first, min(line.start + last, line.end)
-        if first >= line.end:
-            break
-        if begun is None or ended is None:
-            begun = first
-        elif first - ended >= PAUSE:
-            yield begun, ended
-            begun = first
-        ended = last
-    if begun is not None and ended is not None:
-        yield begun, ended
-
-
-def pauses(lines: Iterable[TimedLine]) -> Iterator[float]:
-    """When speech comes to a pause, seconds: inside the lines and at their ends."""
-    return (ended for line in lines for _, ended in speech(line))
-
-
-def said(life: Living) -> Iterator[tuple[str, TimedLine]]:
-    """The lines of a face that sound in its life, each with a name for draws: its words, and how often they were said
-    before. So draws stay as they are when the script changes elsewhere."""
-    times: Counter[str] = Counter()
-    for line in life.lines:
-        text = " ".join(word.text for word in line.spoken.words)
-        times[text] += 1
-        if line.start < life.end and line.end > life.start:
-            yield f"{text} {times[text]}", line
-
-
 @dataclass(frozen=True, slots=True)
 class Accented:
     """An accent of a face's speech: its line's name and its number in the line, seconds from the film's start, and its
@@ -126,6 +95,13 @@ class Accented:
     index: int
     time: float
     strength: float
+
+
+def said(life: Living) -> Iterator[tuple[str, TimedLine]]:
+    """The lines of a face that sound in its life, each with a name for draws: its words, and how often they were said
+    before. So draws stay as they are when the script changes elsewhere."""
+    for line, (text, before) in life.occasions.lines(life.start, life.end):
+        yield f"{text} {before}", line
 
 
 def accents(life: Living, name: str, line: TimedLine) -> tuple[Accented, ...]:

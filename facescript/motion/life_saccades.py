@@ -1,44 +1,63 @@
-"""Turns a life into the small saccades of idle eyes about their target."""
+"""Turns a life into what eyes that hold a target do: microsaccades about it, and slow drift between them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterator
+from itertools import pairwise
 from math import cos, pi, sin
 
-from facescript.motion.dice import events
-from facescript.motion.life_model import Living, Moved, moved, steps
-from facescript.space.main_sequence import saccade_time
+from facescript.motion.life_fixations import TARGET, Fixation, Offset
+from facescript.motion.life_model import Living
+from facescript.motion.life_renewal import Span, log_normal_wait, renewals
+from facescript.motion.life_stretches import Stretches
 
-NEAREST, FURTHEST = 0.2, 0.5
-"""Deg from the target that an idle fixation strays: the saccades between are 0.28 to 1 deg (bar M1)."""
+NEAREST, FURTHEST = 0.12, 0.25
+"""Deg from the target that a microsaccade lands (ours: with the drift they are of 0.12 to 0.95 deg; bar M1)."""
+
+SLOWEST, FASTEST, STRAY = 0.1, 0.26, 0.45
+"""Mean deg/s of a drift, at its peak not twice that (0.1 to 0.5; `motion.md` 1), and how far one goes at most, deg."""
 
 VARIATION = 0.5
-"""Coefficient of variation of the time between idle saccades (ours)."""
+"""Coefficient of variation of the time between microsaccades (ours)."""
+
+SHORTEST = 0.15
+"""Seconds between them on average at least, and from the last to a gaze shift: no knob makes a tremor of them."""
+
+BEYOND = 60.0
+"""Seconds after a life's end in which the one is found that its last drift is bound for."""
+
+LENGTH = 0.028
+"""Seconds that the longest takes, to a millisecond (bar S1)."""
 
 
-def saccades(life: Living) -> Iterable[Moved]:
-    """The line of sight jumps about the target, never a degree from it, at the rate of the knob `saccades` (1/min)."""
+def microsaccades(life: Living, closed: Stretches) -> Iterator[Fixation]:
+    """Fixations within a degree of the target, at the rate of the knob `saccades` (1/min); none begins in `closed`."""
     rate = life.knob("saccades")
     if rate <= 0.0:
         return
-    length = saccade_time(2.0 * FURTHEST)
-    wait = max(60.0 / rate - length, length)
-    dice = life.dice
-    found = tuple(
-        events(
-            life.start,
-            life.end,
-            lambda index: dice.log_normal(wait, VARIATION, "saccades", index, "gap"),
-            lambda _: length,
-        )
-    )
-    places = [_stray(life, event.index) for event in found]
-    yield moved(steps(found, [yaw for yaw, _ in places].__getitem__), gaze_yaw=1.0)
-    yield moved(steps(found, [pitch for _, pitch in places].__getitem__), gaze_pitch=1.0)
+    wait = log_normal_wait(max(60.0 / rate - LENGTH, SHORTEST), VARIATION)
+    span = Span(life.start, life.end + BEYOND)
+    here = TARGET
+    for item, after in pairwise(renewals(life.dice, "saccades", wait, span, lambda _: LENGTH, closed, SHORTEST)):
+        if item.start >= life.end:
+            return
+        landed = _back(life, item.index, here)
+        here = _drifted(life, item.index, landed, after.start - item.start)
+        yield Fixation(item.start, landed, here, after.start)
 
 
-def _stray(life: Living, index: int) -> tuple[float, float]:
-    """A fixation beside the target, deg; now on one side, now on the other, so that each saccade can be seen."""
-    far = life.dice.between(NEAREST, FURTHEST, "saccades", index, "far")
-    turn = pi * index + life.dice.between(-pi / 4.0, pi / 4.0, "saccades", index, "turn")
-    return far * cos(turn), far * sin(turn)
+def _back(life: Living, number: int, here: Offset) -> Offset:
+    """Where a microsaccade lands that corrects a drift to `here`: near the target, on its other side."""
+    far = life.dice.between(NEAREST, FURTHEST, "saccades", number, "far")
+    yaw, pitch = _polar(far, life.dice.chance("saccades", number, "turn"))
+    return (-yaw, -pitch) if yaw * here[0] + pitch * here[1] > 0.0 else (yaw, pitch)
+
+
+def _drifted(life: Living, number: int, landed: Offset, lasting: float) -> Offset:
+    speed = life.dice.between(SLOWEST, FASTEST, "saccades", number, "drift")
+    yaw, pitch = _polar(min(STRAY, speed * lasting), life.dice.chance("saccades", number, "drift turn"))
+    return landed[0] + yaw, landed[1] + pitch
+
+
+def _polar(far: float, turn: float) -> Offset:
+    return far * cos(2.0 * pi * turn), far * sin(2.0 * pi * turn)
