@@ -12,7 +12,7 @@ before a turn ends (bar C3). `motion.md`, 3.2 and 8.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, exp, hypot, inf, log, pi, sin
 
 from facescript.motion.dice import Dice
@@ -61,6 +61,9 @@ that the eyes are back on the partner before its end (Andrist 2013)."""
 SOONEST, LATEST = 0.5, 4.0
 """Seconds that the first and the last of these keep to; the eyes are back half a second before a turn's end anyway."""
 
+BACK_SHARE, LEAST_SHARE = 0.2, 0.2
+"""The part of a turn that the look back takes at most, and of the talk before it that is on the partner at least (ours)."""
+
 SETTLING = 0.6
 """Seconds before a gaze shift and such by which a look away is over, and those of the shortest: the head comes to rest."""
 
@@ -90,14 +93,22 @@ def looks_away(life: Living, reach: float) -> Iterator[Away]:
     found = [*thoughts, *_idle(life.dice, LISTENING, life.start, life.end, silent, reach)]
     held = Stretches([*busy, *((turn.end - _back(life, turn), turn.end + SETTLING) for turn in turns)])
     for turn in turns:
-        start, end = max(turn.start, life.start), min(turn.end, life.end)
-        found += _idle(life.dice.at(*turn.place), SPEAKING, start, end, held, reach)
+        start, end, manner = max(turn.start, life.start), min(turn.end, life.end), _talking(life, turn)
+        found += _idle(life.dice.at(*turn.place), manner, start, end, held, reach)
     yield from sorted(found, key=lambda item: item.start)
 
 
 def _back(life: Living, turn: Turn) -> float:
+    """Seconds before the end of a turn from which the eyes are on the partner."""
     drawn = life.dice.at(*turn.place).normal(*BACK, "think", 0, "back")
-    return min(LATEST, max(SOONEST, drawn))
+    return min(LATEST, max(SOONEST, min(drawn, BACK_SHARE * (turn.end - turn.start))))
+
+
+def _talking(life: Living, turn: Turn) -> Manner:
+    """The manner between the look away to think and the look back: together they come to the share on the partner."""
+    lasts, back = turn.end - turn.start, _back(life, turn)
+    share = (SPEAKING.share * lasts - back) / max(lasts - THINKING_AFTER[0] - back, SOONEST)
+    return replace(SPEAKING, share=min(SPEAKING.share, max(LEAST_SHARE, share)))
 
 
 def _thoughts(life: Living, turns: Sequence[Turn], reach: float, busy: Stretches) -> Iterator[Away]:

@@ -11,10 +11,10 @@ from facescript.motion.life_model import Living
 from facescript.motion.life_renewal import Span, log_normal_wait, renewals
 from facescript.motion.life_stretches import Stretches
 
-NEAREST, FURTHEST = 0.12, 0.25
-"""Deg from the target that a microsaccade lands (ours: with the drift they are of 0.12 to 0.95 deg; bar M1)."""
+NEAREST, FURTHEST = 0.15, 0.28
+"""Deg from the target that a microsaccade lands (ours: with the drift they are of 0.15 to 0.96 deg; bar M1)."""
 
-SLOWEST, FASTEST, STRAY = 0.1, 0.26, 0.45
+SLOWEST, FASTEST, STRAY = 0.1, 0.26, 0.4
 """Mean deg/s of a drift, at its peak not twice that (0.1 to 0.5; `motion.md` 1), and how far one goes at most, deg."""
 
 VARIATION = 0.5

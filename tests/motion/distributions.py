@@ -49,9 +49,11 @@ LAWS: dict[str, Law] = {
 """The thesis's statistics of announcers (chapter 4, adopted intervals)."""
 
 
-def announcer_p_values(seed: int) -> dict[str, float]:
-    """The p of each of `LAWS` for an hour of an announcer who speaks, with more than 400 pauses."""
-    return {name: kolmogorov_smirnov(values, LAWS[name]) for name, values in measured(Life("announcer"), seed).items()}
+def announcer_p_values(seed: int, rate: float = RATE) -> dict[str, float]:
+    """The p of each of `LAWS` for an hour of an announcer who speaks, with more than 400 pauses; `rate` is rows a
+    second."""
+    found = measured(Life("announcer"), seed, HOUR, rate)
+    return {name: kolmogorov_smirnov(values, LAWS[name]) for name, values in found.items()}
 
 
 def kolmogorov_smirnov(values: Floats, law: Law) -> float:
@@ -64,12 +66,12 @@ def kolmogorov_smirnov(values: Floats, law: Law) -> float:
     return float(np.clip(2.0 * ((-1.0) ** (terms - 1) * np.exp(-2.0 * (terms * scaled) ** 2)).sum(), 0.0, 1.0))
 
 
-def measured(life: Life, seed: int, duration: float = HOUR) -> dict[str, Floats]:
+def measured(life: Life, seed: int, duration: float = HOUR, rate: float = RATE) -> dict[str, Floats]:
     """The intervals and lengths (s) of each kind of movement of a `life` that speaks, by the names of `LAWS`."""
     spoken = speech(duration)
     found = {name: [] for name in ("lid", "brow", "head.roll", "head.yaw", "down", "up")}
     performance = perform(score((), duration, life, [spoken], seed))
-    for drawn in minutes(performance.sample, duration):
+    for drawn in minutes(performance.sample, duration, rate):
         lid = 1.0 - (1.0 - drawn["lid.left"]) / gaze_on_lid(drawn["eye.left.pitch"])
         found["lid"].append(np.abs(lid[1:]) > 1e-9)
         found["brow"].append(drawn["brow.inner.left"][1:] > 1e-9)
@@ -77,7 +79,7 @@ def measured(life: Life, seed: int, duration: float = HOUR) -> dict[str, Floats]
         found["head.yaw"].append(np.diff(drawn["head.yaw"]) != 0.0)
         found["down"].append(np.diff(drawn["head.pitch"]) < 0.0)
         found["up"].append(np.diff(drawn["head.pitch"]) > 0.0)
-    each = {name: stretches(np.concatenate(parts)) for name, parts in found.items()}
+    each = {name: stretches(np.concatenate(parts), rate) for name, parts in found.items()}
     pauses = pauses_of(spoken)
     nearest = pauses[np.searchsorted(pauses, each["down"][:, 1])] if len(each["down"]) else np.zeros(0)
     return {
@@ -94,7 +96,7 @@ def measured(life: Life, seed: int, duration: float = HOUR) -> dict[str, Floats]
     }
 
 
-def minutes(sample: Callable[[Floats], Floats], duration: float, rate: float = RATE) -> Iterator[dict[str, Floats]]:
+def minutes(sample: Callable[[Floats], Floats], duration: float, rate: float) -> Iterator[dict[str, Floats]]:
     """Channels by name, a minute at a time; each begins with the last row of the one before."""
     for start in np.arange(0.0, duration, 60.0):
         rows = np.arange(round(start * rate), round(min(start + 60.0, duration) * rate) + 1)
@@ -117,7 +119,7 @@ def pauses_of(spoken: TimedLine) -> Floats:
     return np.array([spoken.start + phone.start for phone in spoken.spoken.phones if not phone.symbol])
 
 
-def stretches(moving: Floats, rate: float = RATE) -> Floats:
+def stretches(moving: Floats, rate: float) -> Floats:
     """Start and end (s) of every stretch in which something is so, but those that the trace cuts: array[stretch, 2]."""
     edges = np.flatnonzero(np.diff(moving.astype(np.int8))) + 1
     if moving[0]:

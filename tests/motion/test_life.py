@@ -7,7 +7,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from bars import bar
-from performing import HERE, STILL, Floats, act, channels, grid, line, performed, score
+from living import (
+    LONG,
+    MINUTES,
+    blinked,
+    far_off,
+    gaps,
+    jumps,
+    lengths,
+    life,
+    lived,
+    stretches,
+    talk,
+)
+from performing import HERE, STILL, Floats, act, channels, grid, performed, score
 
 from facescript.ir.acts import Glance, Life, Look, SetLife, Timing
 from facescript.ir.values import AtCamera, Draw
@@ -16,37 +29,8 @@ from facescript.performance.performance import REST
 from facescript.schedule.score import FOREVER, TimedAct, TimedLine
 from facescript.space.plan import GazePlan
 
-MINUTES = 10.0
-LONG = MINUTES * 60.0
 FRAMES = grid(LONG, 60.0)
 ANNOUNCER = Life("announcer")
-
-
-def life(**knobs: float) -> Life:
-    return Life("calm", tuple(knobs.items()))
-
-
-def lived(
-    what: Life, duration: float = LONG, rate: float = 60.0, lines: tuple[TimedLine, ...] = ()
-) -> dict[str, Floats]:
-    return channels(performed(duration=duration, life=what, lines=lines), grid(duration, rate))
-
-
-def stretches(moving: Floats, rate: float = 60.0) -> Floats:
-    """Start and end (s) of every stretch in which something is so: array[stretch, 2]."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], moving, [False]]).astype(int)))
-    return edges.reshape(-1, 2) / rate
-
-
-def blinked(drawn: dict[str, Floats]) -> Floats:
-    """Start and end of every blink."""
-    return stretches(drawn["lid.left"] > 0.02)
-
-
-def talk(start: float, seconds: float) -> TimedLine:
-    """Speech with a pause of 0.3 s after every 2 s."""
-    phrase = [("m", 0.1), ("a", 0.1)] * 10 + [("", 0.3)]
-    return line(start, *(phrase * round(seconds / 2.3)))
 
 
 def still_look(start: float, end: float, lasting: float | None = None, order: int = 0) -> TimedAct:
@@ -131,14 +115,6 @@ def test_large_gaze_shifts_bring_blinks_that_set_off_with_them() -> None:
 @pytest.fixture(scope="module")
 def announcer() -> dict[str, Floats]:
     return lived(ANNOUNCER, lines=(talk(1.0, 500.0),))
-
-
-def gaps(found: Floats) -> Floats:
-    return found[1:, 0] - found[:-1, 1]
-
-
-def lengths(found: Floats) -> Floats:
-    return found[:, 1] - found[:, 0]
 
 
 FRAME = 0.05
@@ -248,21 +224,15 @@ def test_gaze_stays_on_the_camera_while_the_head_sways_and_nods() -> None:
 
 
 def test_idle_saccades_stay_within_a_degree() -> None:
-    drawn = lived(life(saccades=60.0))
-    away = np.hypot(drawn["gaze.yaw"], drawn["gaze.pitch"])
-    assert 0.2 < away.max() < 1.0
-    places = np.stack([drawn["gaze.yaw"], drawn["gaze.pitch"]])
-    moves = stretches(np.concatenate([[False], np.abs(np.diff(places)).max(axis=0) > 1e-6]))
-    sizes = [np.hypot(*(places[:, round(b * 60)] - places[:, round(a * 60) - 1])) for a, b in moves[:-1]]
-    assert bar("M1", "rate 1/s")[0] <= len(moves) / LONG <= bar("M1", "rate 1/s")[1]
-    assert bar("M1", "size deg")[0] <= min(sizes) and max(sizes) <= bar("M1", "size deg")[1]
+    drawn = lived(life(saccades=75.0), 120.0, 1000.0)
+    assert 0.2 < far_off(drawn).max() < 1.0
+    found = jumps(drawn)
+    assert bar("M1", "rate 1/s")[0] <= len(found) / 120.0 <= bar("M1", "rate 1/s")[1]
+    assert len(found) / 2.0 == pytest.approx(75.0, rel=0.15)
+    assert bar("M1", "size deg")[0] <= found[:, 2].min() and found[:, 2].max() <= bar("M1", "size deg")[1]
 
 
 # ------------------------------------------------------------------------------------------------ looks away
-
-
-def far_off(drawn: dict[str, Floats]) -> Floats:
-    return np.hypot(drawn["gaze.yaw"], drawn["gaze.pitch"])
 
 
 def test_looks_away_go_as_far_as_the_knob_says() -> None:
