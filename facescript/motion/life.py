@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -78,15 +81,22 @@ def _spells(
     occasions = Occasions(acts, lines)
     changes = [(act.start, number(act.verb.over), act.verb.life) for act in acts if isinstance(act.verb, SetLife)]
     changes = [(start, 0.0, first), *changes]
-    for index, (begun, over, life) in enumerate(changes):
-        ended, fade = changes[index + 1][:2] if index + 1 < len(changes) else (end, 0.0)
-        if ended <= begun:
-            continue
-        own = dice.at(life.name, sum(other.name == life.name for _, _, other in changes[:index]))
-        living = Living(life.name, _knobs(life, own), begun, ended, own, acts, lines, occasions)
-        moves = tuple(item for behaviour in BEHAVIOURS for item in behaviour(living))
-        gone = ended + max(fade, QUIETING)
-        yield Spell(begun, gone, (Ramp(begun, begun + over), Ramp(ended, gone)), moves)
+    named: Counter[str] = Counter()
+    for (begun, over, life), (ended, fade, _) in pairwise([*changes, (end, 0.0, first)]):
+        own = dice.at(life.name, named[life.name])
+        named[life.name] += 1
+        if ended > begun:
+            heard = _heard(lines, begun, ended)
+            living = Living(life.name, _knobs(life, own), begun, ended, own, heard, occasions)
+            moves = tuple(item for behaviour in BEHAVIOURS for item in behaviour(living))
+            gone = ended + max(fade, QUIETING)
+            yield Spell(begun, gone, (Ramp(begun, begun + over), Ramp(ended, gone)), moves)
+
+
+def _heard(lines: Sequence[TimedLine], start: float, end: float) -> Sequence[TimedLine]:
+    """The lines from the last that begins by `start` to the first after `end`."""
+    low = bisect_right(lines, start, key=lambda line: line.start)
+    return lines[max(0, low - 1) : bisect_right(lines, end, key=lambda line: line.start) + 1]
 
 
 def _knobs(life: Life, dice: Dice) -> dict[str, float]:

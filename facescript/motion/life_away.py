@@ -4,9 +4,10 @@ The sources disagree. Eyes Alive (Lee, Badler, Badler 2002) has the eyes on the 
 speaks and for 75 % that one listens, yet 3.13 s on the partner and 0.93 s away when speaking: 77 %. Both hold where the
 0.93 s are what lies between two saccades, as its authors measured it: one looks away for several fixations. So it is
 here: the times on the partner and of each fixation away are theirs, and the number of fixations is what the 41 and 75 %
-make of them, 4.8 when speaking and 6.1 when listening. Argyle's 40 and 60 to 70 % agree (bars C1 and C2). Andrist 2013 has one long
-look away instead (1.96 and 1.14 s); he is followed for what Eyes Alive knows nothing of: looks away to think, and back
-before a turn ends (bar C3). `motion.md`, 3.2 and 8.
+make of them, 4.8 when speaking and 6.1 when listening. Argyle's 40 and 60 to 70 % agree (bars C1 and C2). Their means
+and deviations cannot be normal, for a normal wait would often be negative: they are log-normal here. Andrist 2013 has
+one look away of 1.96 or 1.14 s instead; he is followed for what Eyes Alive knows nothing of: looks away to think, and
+back before a turn ends (bar C3). `motion.md`, 3.2 and 8.
 """
 
 from __future__ import annotations
@@ -62,10 +63,10 @@ SOONEST, LATEST = 0.5, 4.0
 """Seconds that the first and the last of these keep to; the eyes are back half a second before a turn's end anyway."""
 
 BACK_SHARE, LEAST_SHARE = 0.2, 0.2
-"""The part of a turn that the look back takes at most, and of the talk before it that is on the partner at least (ours)."""
+"""The part of a turn that the look back takes at most, and of the talk before it that is on the partner at least."""
 
 SETTLING = 0.6
-"""Seconds before a gaze shift and such by which a look away is over, and those of the shortest: the head comes to rest."""
+"""Seconds before a gaze shift and such by which a look away is over, and of the shortest: the head comes to rest."""
 
 IDLE_HEAD, THINKING_HEAD = 0.1, 0.4
 """The part of a look away that the head goes along (Andrist 2013)."""

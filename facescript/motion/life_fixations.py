@@ -21,7 +21,7 @@ TARGET: Offset = (0.0, 0.0)
 
 @dataclass(frozen=True, slots=True)
 class Fixation:
-    """A saccade that sets off at `onset` (s) to `landed`; from there the eyes drift to `left`, where they are at `end`."""
+    """A saccade that sets off at `onset` (s) to `landed`; from there the eyes drift to `left` until `end`."""
 
     onset: float
     landed: Offset

@@ -14,7 +14,7 @@ from facescript.motion.life_occasions import Occasions
 from facescript.motion.life_stations import ANNOUNCER, STATIONS, Station
 from facescript.performance.curves import Curve, Pulses, Steps
 from facescript.performance.easing import Easing, smooth
-from facescript.schedule.score import TimedAct, TimedLine
+from facescript.schedule.score import TimedLine
 from facescript.speech.accents import heard
 
 
@@ -22,8 +22,8 @@ from facescript.speech.accents import heard
 class Living:
     """One life of one face from `start` to `end` (seconds from the film's start) in a scene.
 
-    `knobs` are in base units (`ir.acts.Life`), `acts` and `lines` the face's own in that scene, `occasions` what lives
-    heed of them.
+    `knobs` are in base units (`ir.acts.Life`), `lines` are the face's own about that time, `occasions` what
+    lives heed of the whole scene.
     """
 
     preset: str
@@ -31,7 +31,6 @@ class Living:
     start: float
     end: float
     dice: Dice
-    acts: Sequence[TimedAct]
     lines: Sequence[TimedLine]
     occasions: Occasions
 

@@ -18,8 +18,7 @@ STEP = 1.6, 2.4
 """Deg from one fixation to the next in a line."""
 
 WIDTH, ROWS, HEIGHT = 0.85, 5, 0.4
-"""How far a line reaches to each side, as a part of the eyes' reach; the lines of a page, and how far the first is above
-the target."""
+"""How far a line goes to each side, as a part of the reach; the lines of a page; how high the first is, as a part."""
 
 LEAD = 0.3
 """Seconds before a gaze shift and such in which no fixation begins: the eyes are back on the target halfway."""

@@ -1,4 +1,4 @@
-"""How the announcer's movements are distributed, as a reader of the .csv would find it, against the thesis's statistics.
+"""How the announcer's movements are distributed, as a reader of the .csv finds it, against the thesis's statistics.
 
 Everything is measured from an hour's channels at 1000 Hz. Between movements they are at rest exactly, so that each
 onset and end is known to a millisecond.

@@ -22,7 +22,7 @@ def test_a_test_of_distributions_finds_what_is_not_so() -> None:
 
 
 def test_an_hour_of_the_announcer_has_the_distributions_of_the_thesis() -> None:
-    found = announcer_p_values(2, rate=125.0)
+    found = announcer_p_values(2, rate=250.0)
     assert found.keys() == LAWS.keys()
     assert min(found.values()) > SURE, found
 
@@ -30,7 +30,7 @@ def test_an_hour_of_the_announcer_has_the_distributions_of_the_thesis() -> None:
 @pytest.mark.parametrize("name", [name for name in STATIONS if name != "announcer"])
 def test_each_station_moves_by_its_own_tables(name: str) -> None:
     station = STATIONS[name]
-    found = measured(Life(name), 1, 900.0, 125.0)
+    found = measured(Life(name), 1, 900.0, 250.0)
     own = {
         "brow interval": station.brow_gaps,
         "brow length": station.brow_lengths,

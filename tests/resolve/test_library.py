@@ -16,6 +16,7 @@ EXPRESSIONS = (
     "patent-surprise patent-disgust patent-smile nodding shaking tilting blinking winking"
 ).split()
 LIVES = ["still", "calm", "reading", "conversation", "announcer"]
+LIVES += ["announcer-ctn", "announcer-ettoday", "announcer-other"]
 
 
 def drivers(name: str) -> dict[str, float]:
