@@ -6,7 +6,7 @@ onset and end is known to a millisecond.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from performing import Floats, line, score
@@ -19,8 +19,8 @@ from facescript.schedule.score import TimedLine
 
 HOUR = 3600.0
 RATE = 1000.0
-PHRASES = 2.6, 4.4, 3.1, 5.2, 2.2, 3.7
-"""Seconds of speech before each pause, again and again; each pause is of 0.4 s."""
+PHRASES = 2.6, 1.4, 3.4, 1.2, 4.4, 1.6
+"""Seconds of speech before each pause, again and again; each pause is of 0.4 s. Some leave no room for a nod."""
 
 Law = Callable[[Floats], Floats]
 """A distribution: how likely each value is not to be exceeded."""
@@ -66,9 +66,11 @@ def kolmogorov_smirnov(values: Floats, law: Law) -> float:
     return float(np.clip(2.0 * ((-1.0) ** (terms - 1) * np.exp(-2.0 * (terms * scaled) ** 2)).sum(), 0.0, 1.0))
 
 
-def measured(life: Life, seed: int, duration: float = HOUR, rate: float = RATE) -> dict[str, Floats]:
+def measured(
+    life: Life, seed: int, duration: float = HOUR, rate: float = RATE, phrases: Sequence[float] = PHRASES
+) -> dict[str, Floats]:
     """The intervals and lengths (s) of each kind of movement of a `life` that speaks, by the names of `LAWS`."""
-    spoken = speech(duration)
+    spoken = speech(duration, phrases)
     found = {name: [] for name in ("lid", "brow", "head.roll", "head.yaw", "down", "up")}
     performance = perform(score((), duration, life, [spoken], seed))
     for drawn in minutes(performance.sample, duration, rate):
@@ -80,6 +82,8 @@ def measured(life: Life, seed: int, duration: float = HOUR, rate: float = RATE) 
         found["down"].append(np.diff(drawn["head.pitch"]) < 0.0)
         found["up"].append(np.diff(drawn["head.pitch"]) > 0.0)
     each = {name: stretches(np.concatenate(parts), rate) for name, parts in found.items()}
+    for name in ("head.roll", "head.yaw", "down", "up"):
+        each[name] += np.array([0.5, -0.5]) / rate  # a movement shows in the steps it begins and ends in, too
     pauses = pauses_of(spoken)
     nearest = pauses[np.searchsorted(pauses, each["down"][:, 1])] if len(each["down"]) else np.zeros(0)
     return {
@@ -103,11 +107,11 @@ def minutes(sample: Callable[[Floats], Floats], duration: float, rate: float) ->
         yield dict(zip(NAMES, sample(rows / rate).T, strict=True))
 
 
-def speech(duration: float) -> TimedLine:
+def speech(duration: float, phrases: Sequence[float]) -> TimedLine:
     """One line from the first second on, with pauses."""
     phones, now, number = [], 0.0, 0
     while now < duration - 10.0:
-        phrase = PHRASES[number % len(PHRASES)]
+        phrase = phrases[number % len(phrases)]
         phones += [("m", 0.1), ("a", 0.1)] * round(phrase / 0.2) + [("", 0.4)]
         now += 0.2 * round(phrase / 0.2) + 0.4
         number += 1

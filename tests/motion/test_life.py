@@ -17,6 +17,7 @@ from living import (
     lengths,
     life,
     lived,
+    preset,
     stretches,
     talk,
 )
@@ -98,14 +99,18 @@ def shifted(amplitude: float, count: int, life: Life) -> Floats:
     return stretches(lid > 0.05, 200.0)
 
 
-def test_large_gaze_shifts_bring_blinks_that_set_off_with_them() -> None:
-    rare = life(blink=0.001)
+@pytest.mark.parametrize("name", ["calm", "conversation", "announcer-ctn"])
+def test_large_gaze_shifts_bring_blinks_that_set_off_with_them(name: str) -> None:
+    rare = preset(f"{name}, blink 0.001/min, saccades 0/min, avert 0%")
     found = shifted(35.0, 200, rare)
     low, high = bar("H10", "35..60")
     assert low <= len(found) / 200 <= high
     late = 1000.0 * ((found[:, 0] - 1.0 + 0.5) % 2.0 - 0.5)
     assert bar("H11", "any")[0] <= late.min() and late.max() <= bar("H11", "any")[1]
     assert len(shifted(8.0, 200, rare)) / 200 <= bar("H10", "<=8")[1]
+
+
+def test_a_still_face_does_not_blink_when_it_looks() -> None:
     assert len(shifted(50.0, 5, STILL)) == 0
 
 
