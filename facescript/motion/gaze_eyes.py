@@ -23,7 +23,7 @@ WIDE = 85.0
 ROUGH = 0.1
 """As a part of the eyes' reach: by less than this do differences of angles miss how far they are turned in the head."""
 
-LAST = 0.9999
+LAST = 0.99999
 """The part of their reach that what is added to gaze may take the eyes to."""
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.motion.gaze_curves import Course, saccade_curve, through
-from facescript.space.main_sequence import HEAD_CEILING, saccade_part, saccade_time
+from facescript.space.main_sequence import HEAD_CEILING, PEAK_OVER_MEAN, saccade_part, saccade_time
 from facescript.space.reach import Direction
 from facescript.space.room import Sight
 
@@ -46,6 +46,9 @@ FASTEST = 100.0
 
 FORESEEN = 50.0
 """The acceleration that is carried on at most, deg/s^2: smooth motion is foreseen, a sudden start is not."""
+
+CATCHING = 500.0
+"""The fastest an eye catches up, deg/s: its head may turn against it, and both together come to the end of its reach."""
 
 REST = 0.15
 """Between two catch-up saccades, s."""
@@ -218,7 +221,7 @@ def _catch_up(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
         eyes.amiss = time + STEP
     if not max(eyes.ready, eyes.amiss + DECIDING) <= time < eyes.until:
         return
-    lasts = saccade_time(hypot(*error))
+    lasts = max(saccade_time(hypot(*error)), PEAK_OVER_MEAN * hypot(*error) / CATCHING)
     way = error[0] + lasts * (speed[0] - eyes.speed[0]), error[1] + lasts * (speed[1] - eyes.speed[1])
     eyes.saccades.append((time, time + lasts, way))
     eyes.jumped = eyes.jumped[0] + way[0], eyes.jumped[1] + way[1]

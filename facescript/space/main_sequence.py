@@ -12,6 +12,9 @@ from math import exp, lgamma, log
 PEAK_OVER_MEAN = 1.65
 """Q of a saccade: its peak velocity over its mean velocity (bar S4)."""
 
+SATURATION = 530.0
+"""The fastest an eye turns unhurried, deg/s: speed hardly grows with the largest saccades (bar S5)."""
+
 HEAD_CEILING = 185.0
 """The fastest a head turns unhurried, deg/s (bar H6)."""
 
@@ -30,8 +33,9 @@ VERGENCE_TIME = 0.5
 
 
 def saccade_time(amplitude: float) -> float:
-    """Duration of a saccade of `amplitude` deg: 2.7 ms a degree and 25 ms (bar S1)."""
-    return (2.7 * amplitude + 25.0) / 1000.0
+    """Duration of a saccade of `amplitude` deg: 2.7 ms a degree and 25 ms (bar S1), and above 60 deg as long as the
+    `SATURATION` of its speed makes it."""
+    return max((2.7 * amplitude + 25.0) / 1000.0, PEAK_OVER_MEAN * amplitude / SATURATION)
 
 
 def least_saccade_time(amplitude: float) -> float:
@@ -40,8 +44,11 @@ def least_saccade_time(amplitude: float) -> float:
 
 
 def peak_fraction(duration: float) -> float:
-    """When in a saccade's course it is fastest, as a part of its `duration`; it depends on that alone (bar S6)."""
-    return min(0.5, max(0.27, 0.47 - 0.004 * (duration * 1000.0 - 25.0) / 2.7))
+    """When in a saccade's course it is fastest, as a part of its `duration`; it depends on that alone (bar S6).
+
+    It falls to 0.30 at 42 deg (0.25 to 0.3 at 40 to 50, `motion.md` 1): earlier, the largest would set off with a jolt.
+    """
+    return min(0.5, max(0.30, 0.47 - 0.004 * (duration * 1000.0 - 25.0) / 2.7))
 
 
 @lru_cache(maxsize=4096)

@@ -43,7 +43,7 @@ TURNING = 1.0
 SEEN = 0.5
 """A gaze short of its target by less than this is not seen to be, deg."""
 
-REACHED = 0.98
+REACHED = 0.976
 """The part of their reach within which the eyes come to less than `SEEN` of a target (`reach.EYE_KNEE`)."""
 
 WAIT_STEP, WAIT_STEPS = 0.004, 500
