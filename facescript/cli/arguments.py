@@ -67,6 +67,9 @@ def _explain(parser: argparse.ArgumentParser) -> None:
     _script(parser)
     _settings(parser)
     parser.add_argument("--json", action="store_true", help="the same as objects")
+    parser.add_argument("--channel", action="append", default=[], metavar="NAME", help="who owned it at --at; repeat")
+    parser.add_argument("--at", action="append", default=[], metavar="TIME", help="with --channel: the moment; repeat")
+    parser.add_argument("--face", metavar="NAME", help="with --channel: whose channel, where there are several faces")
 
 
 def _fmt(parser: argparse.ArgumentParser) -> None:

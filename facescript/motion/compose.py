@@ -73,13 +73,13 @@ def compose(asked: Asked) -> Frames:
     pose[_MUSCLES] = soft_limit(drive[_MUSCLES])
     pose[_SHIFTS] = drive[_SHIFTS]
     pose[_SCALES] = np.maximum(REST[_SCALES, None] + drive[_SCALES], LEAST_SCALE)
-    pose[_HEAD] = _head(asked.head, drive)
+    pose[_HEAD] = head_pose(asked.head, drive)
     _look(pose, asked, drive)
     _speak(pose, asked, drive)
     return np.ascontiguousarray(pose.T)
 
 
-def _head(gaze: Floats, drive: Drive) -> Drive:
+def head_pose(gaze: Floats, drive: Drive) -> Drive:
     """Rule 6: gaze turns the head, gestures, life and channels of the head add."""
     turned = (gaze[:, 0], gaze[:, 1], np.zeros(len(gaze)))
     added = (drive[row] for row in _HEAD)
@@ -90,26 +90,47 @@ def _head(gaze: Floats, drive: Drive) -> Drive:
 def _look(pose: Drive, asked: Asked, drive: Drive) -> None:
     """Rules 2 and 6: the eyes answer the whole head, so that gaze stays where it is meant; the lids follow the eyes."""
     head = np.ascontiguousarray(pose[_HEAD].T)
+    wanted = eyes_wanted(asked, drive, head)
+    blinks = blinks_drawn(asked)
+    for side, blink in enumerate(blinks):
+        pose[_LIDS[side]] = lid_drawn(lid_limit(drive[_LIDS[side]]), blink, wanted[:, side, 1])
+    drawn = eyes_within(pulled(wanted, blinks))
+    pose[_EYES] = drawn.reshape(-1, 6).T
+    pose[_GAZE] = midline(drawn, head).T
+
+
+def sight_meant(asked: Asked, drive: Drive) -> Floats:
+    """The line of sight of gaze, and how far life moves it: array[n, 3], deg, deg, cm."""
     sight = asked.sight.copy()
     sight[:, :2] += drive[_GAZE].T
-    wanted = eyes(sight, head) + drive[_EYES].T.reshape(-1, 2, 3)
+    return sight
+
+
+def eyes_wanted(asked: Asked, drive: Drive, head: Floats) -> Floats:
+    """Both eyes in the head, array[n, 2, 3], before a blink pulls them; `head` is array[n, 3] as drawn."""
+    return eyes(sight_meant(asked, drive), head) + drive[_EYES].T.reshape(-1, 2, 3)
+
+
+def blinks_drawn(asked: Asked) -> list[Floats]:
+    """How far blinks have shut the left and the right lid, array[n] each: 0 open, 1 shut."""
     sources = (asked.expression, asked.gestures, asked.life)
-    blinks = [blink_together(*(source[row] for source in sources)) for row in _BLINKS]
+    return [blink_together(*(source[row] for source in sources)) for row in _BLINKS]
+
+
+def pulled(wanted: Floats, blinks: list[Floats]) -> Floats:
+    """The eyes as the blinks turn them, array[n, 2, 3]."""
     drawn = wanted.copy()
     for side, (blink, nasal) in enumerate(zip(blinks, (-1.0, 1.0), strict=True)):
-        pose[_LIDS[side]] = lid_drawn(lid_limit(drive[_LIDS[side]]), blink, wanted[:, side, 1])
         turned = smooth((blink - TURNS) / (TURNED - TURNS))
         drawn[:, side, 0] += nasal * BLINK_TURN[0] * turned
         drawn[:, side, 1] += BLINK_TURN[1] * turned
-    drawn = eyes_within(drawn)
-    pose[_EYES] = drawn.reshape(-1, 6).T
-    pose[_GAZE] = midline(drawn, head).T
+    return drawn
 
 
 def _speak(pose: Drive, asked: Asked, drive: Drive) -> None:
     """Rule 3: speech owns gap and jaw; on the rest of the mouth it and the expression add."""
     spoken = dict(zip(MOUTH, asked.spoken.T, strict=True))
-    pressed = soft_limit(drive[_PRESS]).sum(axis=0) / 2.0
+    pressed = lips_pressed(drive)
     for part, values in spoken.items():
         row = INDEX[f"mouth.{part}"]
         if part in ("open", "jaw"):
@@ -119,3 +140,9 @@ def _speak(pose: Drive, asked: Asked, drive: Drive) -> None:
             pose[row] = add_within(values, drive[row], *MOUTH_RANGE[part])
         else:
             pose[row] = values + drive[row]
+
+
+def lips_pressed(drive: Drive) -> Floats:
+    """How far both lips are pressed together, array[n], 0..1: it narrows what is spoken."""
+    pressed: Floats = soft_limit(drive[_PRESS]).sum(axis=0) / 2.0
+    return pressed

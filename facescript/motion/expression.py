@@ -49,6 +49,7 @@ class Layer:
     rise: Ramp
     fall: Ramp
     parts: tuple[Part, ...]
+    act: TimedAct
     ripple: Ripple | None = None
 
     def weight(self, times: Floats) -> Floats:
@@ -97,7 +98,8 @@ class Expression:
 
     def __init__(self, acts: Sequence[TimedAct], start: float, end: float) -> None:
         """`acts` are the face's in the scene, sorted by (start, order); it is neutral at the scene's `start`."""
-        self._pieces = scene_pieces(acts, start, end)
+        self.layers = layers(acts)
+        self._pieces = scene_pieces(self.layers, start, end)
         self._starts = np.array([piece.start for piece in self._pieces])
         self._moving = [index for index, piece in enumerate(self._pieces) if piece.moving]
         still = [piece.settled if piece.moving else _still(piece) for piece in self._pieces]
@@ -120,10 +122,14 @@ def _still(piece: Piece) -> Floats:
     return piece.at(np.array([piece.start]))[:, 0] if piece.layers else piece.settled
 
 
-def scene_pieces(acts: Sequence[TimedAct], start: float, end: float) -> tuple[Piece, ...]:
-    """The pieces of one scene for the acts of one face in it; the first starts at `start`, the last ends at `end`."""
+def layers(acts: Sequence[TimedAct]) -> list[Layer]:
+    """The shows and adds among the acts of one face in one scene, in their order."""
     drops = _drops(acts)
-    layers = [layer(act, drops) for act in acts if isinstance(act.verb, (Show, Add))]
+    return [layer(act, drops) for act in acts if isinstance(act.verb, (Show, Add))]
+
+
+def scene_pieces(layers: list[Layer], start: float, end: float) -> tuple[Piece, ...]:
+    """The pieces of one scene for a face's layers in it; the first starts at `start`, the last ends at `end`."""
     cuts = {edge for item in layers for ramp in item.changes for edge in (ramp.start, ramp.end)}
     return tuple(_pieces(layers, [start, *sorted(cut for cut in cuts if start < cut < end), end]))
 
@@ -141,7 +147,7 @@ def layer(act: TimedAct, drops: Drops) -> Layer:
     )
     rise = Ramp(act.start, min(act.start + over, act.released), curve)
     ripple = Ripple(rise.end, Dice(act.seed, (act.face,))) if felt else None
-    return Layer(isinstance(act.verb, Show), rise, Ramp(act.released, act.end, curve), parts, ripple)
+    return Layer(isinstance(act.verb, Show), rise, Ramp(act.released, act.end, curve), parts, act, ripple)
 
 
 def _drops(acts: Iterable[TimedAct]) -> Drops:

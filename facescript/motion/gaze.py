@@ -32,13 +32,13 @@ class GazeTrack:
     def __init__(self, score: Score, face: Face) -> None:
         room = Room(score.film, score.faces, score.targets)
         acts = [act for act in score.acts if act.face == face.name and act.plan]
-        self._starts = np.array([scene.start for scene in score.scenes] or [0.0])
-        self._scenes = []
-        for number, start in enumerate(self._starts):
+        self.starts = np.array([scene.start for scene in score.scenes] or [0.0])
+        self.scenes = []
+        for number, start in enumerate(self.starts):
             planned = [(plan.starts, act.order, plan) for act in acts if act.scene == number for plan in act.plan]
             plans = [plan for _, _, plan in sorted(planned, key=lambda each: each[:2])]
             end = score.scenes[number].end + AFTERWARDS if score.scenes else inf
-            self._scenes.append(_Scene(room, face, float(start), end, plans))
+            self.scenes.append(SceneGaze(room, face, float(start), end, plans))
 
     def sight(self, times: Floats) -> Floats:
         """array[n, 3]: yaw and pitch (deg) of the line of sight as drawn, and the distance (cm) of convergence."""
@@ -48,25 +48,33 @@ class GazeTrack:
         """array[n, 2]: yaw and pitch (deg) of the head."""
         return self._sample(times, lambda scene, some: scene.head.at(some), 2)
 
-    def _sample(self, times: Floats, values: Callable[[_Scene, Floats], Floats], width: int) -> Floats:
+    def scene(self, time: float) -> SceneGaze:
+        """The scene that plays at `time`."""
+        return self.scenes[int(np.searchsorted(self.starts[1:], time, side="right"))]
+
+    def _sample(self, times: Floats, values: Callable[[SceneGaze, Floats], Floats], width: int) -> Floats:
         order = np.argsort(times, kind="stable")
         some = np.asarray(times, dtype=np.float64)[order]
         out = np.empty((len(some), width))
-        cuts = [0, *np.searchsorted(some, self._starts[1:]), len(some)]
-        for scene, low, high in zip(self._scenes, cuts, cuts[1:], strict=False):
+        cuts = [0, *np.searchsorted(some, self.starts[1:]), len(some)]
+        for scene, low, high in zip(self.scenes, cuts, cuts[1:], strict=False):
             if high > low:
                 out[order[low:high]] = values(scene, some[low:high])
         return out
 
 
-class _Scene:
-    """One scene of one face: its shifts laid over one another, for the line of sight, its nearness and the head."""
+class SceneGaze:
+    """One scene of one face: its shifts laid over one another, for the line of sight, its nearness and the head.
+
+    `looks` and `turns` are the plans of the movements of `eyes` and of `head`, one each.
+    """
 
     def __init__(self, room: Room, face: Face, start: float, end: float, plans: list[GazePlan]) -> None:
         eyes = in_effect((plan for plan in plans if plan.uses_eyes), lambda plan: plan.eye_onset)
         head = in_effect((plan for plan in plans if plan.uses_head), lambda plan: plan.head_onset)
         untils = _untils(eyes, head, end)
         bounds = {id(plan): Bound(room, face, start, plan, untils[id(plan)]) for plan in (*eyes, *head)}
+        self.looks, self.turns = eyes, head
         first = rest(room, face, start)
         targets = [first, *(bounds[id(plan)] for plan in eyes)]
         self.head = Blend(first.head, [_turn(bounds[id(plan)]) for plan in head])

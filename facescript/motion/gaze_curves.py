@@ -43,10 +43,19 @@ class Blend:
         values = self.first(times)
         if not len(times):
             return values
-        for index in np.flatnonzero((self.untils > times[0]) & (self.onsets <= times[-1])).tolist():
+        for index in self._shown(times[0], times[-1]):
             low, high = np.searchsorted(times, [self.onsets[index], self.untils[index]])
             self._lay(self.movements[index], times[low:high], values[low:high])
         return values
+
+    def laid(self, time: float) -> list[tuple[int, float]]:
+        """The movements that show at `time`, in their order: number, and how far each has replaced what was before."""
+        at = np.array([time])
+        return [(index, float(self.movements[index].weight(at)[0])) for index in self._shown(time, time)]
+
+    def _shown(self, first: float, last: float) -> list[int]:
+        found: list[int] = np.flatnonzero((self.untils > first) & (self.onsets <= last)).tolist()
+        return found
 
     @staticmethod
     def _lay(movement: Movement, times: Floats, values: Floats) -> None:

@@ -35,12 +35,21 @@ def eyes(sight: Floats, head_pose: Floats) -> Floats:
     within its reach (bars S8, V1); the head's own motion is undone at once (VOR of gain 1, bars H7, H8). Roll is
     Listing's: an eye has none but what its yaw and pitch bring about.
     """
-    target = _to_head(_vectors(sight[:, 0], sight[:, 1]), head_pose) * sight[:, 2:3]
-    sides = np.array([[APART_CM / 2, 0.0, 0.0], [-APART_CM / 2, 0.0, 0.0]])
-    to_target = target[:, None, :] - sides
-    yaw, pitch = _slowed(*_angles(to_target), EYE_END, LAST)
+    yaw, pitch = _slowed(*converged(sight, head_pose), EYE_END, LAST)
     roll = np.degrees(2.0 * np.arctan(np.tan(np.radians(yaw) / 2.0) * np.tan(np.radians(pitch) / 2.0)))
     return np.stack([yaw, pitch, roll], axis=-1)
+
+
+def in_head(sight: Floats, head_pose: Floats) -> tuple[Floats, Floats]:
+    """The line of sight as seen from between the eyes of a turned head: yaw and pitch, array[n] each."""
+    return _angles(_to_head(_vectors(sight[:, 0], sight[:, 1]), head_pose))
+
+
+def converged(sight: Floats, head_pose: Floats) -> tuple[Floats, Floats]:
+    """Where each eye in the head would point, were there no end to its reach: yaw and pitch, array[n, 2] each."""
+    target = _to_head(_vectors(sight[:, 0], sight[:, 1]), head_pose) * sight[:, 2:3]
+    sides = np.array([[APART_CM / 2, 0.0, 0.0], [-APART_CM / 2, 0.0, 0.0]])
+    return _angles(target[:, None, :] - sides)
 
 
 def midline(eye_angles: Floats, head_pose: Floats) -> Floats:

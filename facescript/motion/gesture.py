@@ -47,6 +47,7 @@ class Movement:
     rows: NDArray[np.intp]
     far: Floats
     profile: Easing
+    act: TimedAct
 
     def at(self, times: Floats) -> Drive:
         """What it asks of its rows: array[len(rows), time]."""
@@ -57,9 +58,9 @@ class Gestures:
     """The gestures among the acts of one face in one scene; those that overlap add up."""
 
     def __init__(self, acts: Iterable[TimedAct]) -> None:
-        self._movements = tuple(movement(act, act.verb) for act in acts if isinstance(act.verb, Gesture))
-        self._starts = np.array([item.start for item in self._movements])
-        self._ends = np.array([item.end for item in self._movements])
+        self.movements = tuple(movement(act, act.verb) for act in acts if isinstance(act.verb, Gesture))
+        self._starts = np.array([item.start for item in self.movements])
+        self._ends = np.array([item.end for item in self.movements])
 
     def at(self, times: Floats) -> Drive:
         """What they ask at `times` (sorted): array[row, time]."""
@@ -68,7 +69,7 @@ class Gestures:
         lasts = np.searchsorted(times, self._ends, side="left")
         for index in np.flatnonzero(firsts < lasts):
             window = slice(firsts[index], lasts[index])
-            item = self._movements[index]
+            item = self.movements[index]
             drive[item.rows, window] += item.at(times[window])
         return drive
 
@@ -79,4 +80,4 @@ def movement(act: TimedAct, gesture: Gesture) -> Movement:
     end = act.end if lasting is None else act.start + number(lasting)
     pose = number(gesture.degree) * mix_column(gesture.mix)
     moved = np.flatnonzero(pose)
-    return Movement(act.start, end, moved, pose[moved], PROFILES[gesture.kind])
+    return Movement(act.start, end, moved, pose[moved], PROFILES[gesture.kind], act)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -35,14 +35,18 @@ QUIETING = 0.4
 class Spell:
     """One life from its start until it has faded away."""
 
+    name: str
     start: float
     end: float
     fades: tuple[Ramp, Ramp]
     moves: tuple[Moved, ...]
 
+    def weight(self, times: Floats) -> Floats:
+        return self.fades[0].at(times) * (1.0 - self.fades[1].at(times))
+
     def drive(self, times: Floats, drive: Drive) -> None:
         """Add what it asks at `times` to `drive`, array[row, time]."""
-        weight = self.fades[0].at(times) * (1.0 - self.fades[1].at(times))
+        weight = self.weight(times)
         for item in self.moves:
             values = item.curve.at(times) * weight
             for row, gain in item.gains:
@@ -53,12 +57,12 @@ class Lives:
     """What the lives of one face in one scene ask."""
 
     def __init__(self, spells: Sequence[Spell]) -> None:
-        self._spells = tuple(spells)
+        self.spells = tuple(spells)
 
     def at(self, times: Floats) -> Drive:
         """What they ask at `times` (sorted): array[row, time]; rows `gaze.*` move the line of sight."""
         drive = np.zeros((len(ROWS), len(times)))
-        for spell in self._spells:
+        for spell in self.spells:
             window = slice(*np.searchsorted(times, [spell.start, spell.end]))
             if window.start < window.stop:
                 spell.drive(times[window], drive[:, window])
@@ -88,9 +92,14 @@ def _spells(
         if ended > begun:
             heard = _heard(lines, begun, ended)
             living = Living(life.name, _knobs(life, own), begun, ended, own, heard, occasions)
-            moves = tuple(item for behaviour in BEHAVIOURS for item in behaviour(living))
+            moves = tuple(_by(behaviour, item) for behaviour in BEHAVIOURS for item in behaviour(living))
             gone = ended + max(fade, QUIETING)
-            yield Spell(begun, gone, (Ramp(begun, begun + over), Ramp(ended, gone)), moves)
+            yield Spell(life.name, begun, gone, (Ramp(begun, begun + over), Ramp(ended, gone)), moves)
+
+
+def _by(behaviour: Behaviour, item: Moved) -> Moved:
+    """A movement with the name of what makes it."""
+    return replace(item, by=behaviour.__name__)
 
 
 def _heard(lines: Sequence[TimedLine], start: float, end: float) -> Sequence[TimedLine]:

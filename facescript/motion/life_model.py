@@ -51,10 +51,11 @@ class Living:
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """A curve and what it moves: the rows of a drive, and how much of the curve each takes."""
+    """A curve and what it moves: the rows of a drive, and how much of the curve each takes. `by` is its behaviour."""
 
     curve: Curve | Fixations
     gains: tuple[tuple[int, float], ...]
+    by: str = ""
 
 
 Behaviour = Callable[[Living], Iterable[Moved]]

@@ -42,9 +42,9 @@ class FaceMotion:
     """One face over the whole film. Its sources stay apart in `asked`, so that each can be looked at alone."""
 
     def __init__(self, score: Score, face: Face) -> None:
-        self._scenes = tuple(_scenes(score, face))
-        self._gaze = GazeTrack(score, face)
-        self._mouth = MouthTrack(tuple(line for line in score.lines if line.face == face.name))
+        self.scenes = tuple(_scenes(score, face))
+        self.gaze = GazeTrack(score, face)
+        self.mouth = MouthTrack(tuple(line for line in score.lines if line.face == face.name))
 
     def sample(self, times: Floats) -> Frames:
         """Poses at `times` (seconds, any order): array[len(times), len(NAMES)]."""
@@ -56,17 +56,21 @@ class FaceMotion:
         frames[order] = compose(self.asked(times[order]))
         return frames
 
+    def scene(self, time: float) -> SceneMotion | None:
+        """The scene that plays at `time`, where the face is in it."""
+        return next((scene for scene in self.scenes if scene.start <= time < scene.end), None)
+
     def asked(self, times: Floats) -> Asked:
         """What each source asks at `times` (sorted), before the law blends them."""
         expression, gestures, life = (np.zeros((len(ROWS), len(times))) for _ in range(3))
-        for scene in self._scenes:
+        for scene in self.scenes:
             window = slice(*np.searchsorted(times, [scene.start, scene.end]))
             if window.start < window.stop:
                 expression[:, window] = scene.expression.at(times[window])
                 gestures[:, window] = scene.gestures.at(times[window])
                 life[:, window] = scene.lives.at(times[window])
-        sight, head = self._gaze.sight(times), self._gaze.head(times)
-        return Asked(expression, gestures, life, sight, head, *self._mouth.sample(times))
+        sight, head = self.gaze.sight(times), self.gaze.head(times)
+        return Asked(expression, gestures, life, sight, head, *self.mouth.sample(times))
 
 
 def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
