@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.ir.acts import Gesture
-from facescript.motion.drivers import ROWS, Drive, Floats, mix_column, number
+from facescript.motion.drivers import BLINKS, ROWS, Drive, Floats, mix_column, number, rows
 from facescript.performance.easing import Easing, fall_out, smooth, through
 from facescript.schedule.score import TimedAct
+
+_BLINKS = rows(BLINKS)
 
 CLOSING, HELD = 0.28, 0.20
 """Shares of a blink's length: it closes, stays shut, and opens for the rest (28, 20, 52 %; `motion.md` 3.4)."""
@@ -55,7 +57,8 @@ class Movement:
 
 
 class Gestures:
-    """The gestures among the acts of one face in one scene; those that overlap add up."""
+    """The gestures among the acts of one face in one scene; those that overlap add up, and of blinks each shuts what
+    the others leave open."""
 
     def __init__(self, acts: Iterable[TimedAct]) -> None:
         self.movements = tuple(movement(act, act.verb) for act in acts if isinstance(act.verb, Gesture))
@@ -70,7 +73,10 @@ class Gestures:
         for index in np.flatnonzero(firsts < lasts):
             window = slice(firsts[index], lasts[index])
             item = self.movements[index]
-            drive[item.rows, window] += item.at(times[window])
+            asked = item.at(times[window])
+            shut = np.isin(item.rows, _BLINKS)
+            asked[shut] = np.clip(asked[shut], 0.0, 1.0) * (1.0 - drive[item.rows[shut], window])
+            drive[item.rows, window] += asked
         return drive
 
 
