@@ -22,6 +22,10 @@ LID_TRAVEL = 48.0
 LID_GAIN = 0.95
 """Degrees a lid turns for a degree of the eye's pitch (bar B7: 0.85 to 1.1)."""
 
+HEAD_EASE = 3.0
+"""Degrees before the end of the head's range from which it is slowed, and as many beyond that are asked for until it is
+there: a head that comes up at 245 deg/s is slowed by 10 deg/s in a millisecond at most."""
+
 WIDENED, PRESSED = 0.4, 0.5
 """How much an open mouth or jaw that is shown widens those of speech, and pressed lips narrow them."""
 
@@ -76,8 +80,28 @@ def speak_over(shown: Floats, spoken: Floats, activity: Floats, pressed: Floats)
     return shown * (1.0 - activity) + spoken * wider * narrower * activity
 
 
+def turn_within(gaze: Floats, added: Floats, limit: float) -> Floats:
+    """Rule 6: the head turned by `gaze`, and what is `added`, deg; within `limit` to both sides.
+
+    The sum is exact up to `HEAD_EASE` from the limit, and bends from there on, with the pose of gaze where it is. So a
+    shake at the very end of the head's range comes to rest there, and does not strike it.
+    """
+    asked = _eased_back(np.clip(gaze, -limit, limit), limit) + added
+    over = np.clip(limit + HEAD_EASE - np.abs(asked), 0.0, 2.0 * HEAD_EASE)
+    bent = np.sign(asked) * (limit - over * over / (4.0 * HEAD_EASE))
+    turned = np.where(np.abs(asked) > limit - HEAD_EASE, bent, asked)
+    return np.where(added == 0.0, gaze, turned)
+
+
+def _eased_back(turned: Floats, limit: float) -> Floats:
+    """What would have to be asked for so that `turned` comes of it."""
+    room = limit - np.abs(turned)
+    asked = np.sign(turned) * (limit + HEAD_EASE - np.sqrt(4.0 * HEAD_EASE * room))
+    return np.where(room < HEAD_EASE, asked, turned)
+
+
 def add_within(base: Floats, added: Floats, low: float, high: float) -> Floats:
-    """Rule 6, and whatever lays one thing over another in a range: `base` as it is, and what is `added` to it.
+    """What lays one thing over another in a range: `base` as it is, and what is `added` to it.
 
     That is the identity up to 0.8 of the room that `base` leaves towards `low` or `high`, bends, and never leaves it.
     """

@@ -14,6 +14,7 @@ from facescript.motion.blend import (
     lid_limit,
     soft_limit,
     speak_over,
+    turn_within,
 )
 from facescript.motion.drivers import BLINKS, Drive, Floats, rows
 from facescript.motion.gaze import eyes, midline
@@ -84,7 +85,7 @@ def head_pose(gaze: Floats, drive: Drive) -> Drive:
     turned = (gaze[:, 0], gaze[:, 1], np.zeros(len(gaze)))
     added = (drive[row] for row in _HEAD)
     axes = zip(turned, added, HEAD_LIMITS, strict=True)
-    return np.stack([add_within(angle, more, -limit, limit) for angle, more, limit in axes])
+    return np.stack([turn_within(angle, more, limit) for angle, more, limit in axes])
 
 
 def _look(pose: Drive, asked: Asked, drive: Drive) -> None:

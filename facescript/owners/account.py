@@ -102,8 +102,9 @@ class Accounts:
         blinking = self._parts(ROWS[f"blink.{side}"], moment)
         left = f"times what blinks leave open, {1.0 - float(blink[0]):.4g}"
         yield Step(left, 1.0 - float(lid_opening(lid, blink)[0]), blinking)
-        moved = Part(Source(f"deg of eye.{side}.pitch, before a blink pulls it"), float(pitch[0]), 1.0)
-        yield Step("moved with the eye up and down", float(lid_drawn(lid, blink, pitch)[0]), (moved,))
+        turned = Part(Source(f"deg of eye.{side}.pitch, before a blink pulls it"), float(pitch[0]), 1.0)
+        parts = (turned,) if turned.full else ()
+        yield Step("moved with the eye up and down", float(lid_drawn(lid, blink, pitch)[0]), parts)
 
     # -------------------------------------------------------------------------------------- head, eyes, gaze
 
@@ -116,7 +117,7 @@ class Accounts:
             parts = gaze.head(self._motion.gaze, self.score, moment.time).parts(moment.time, axis)
             yield Step("turned by gaze", turned, parts)
         yield Step("and the sum of what is added", turned + float(moment.drive[row, 0]), self._parts(row, moment))
-        yield Step("within the room that the gaze leaves", float(moment.head[0, axis]))
+        yield Step("within the head's reach", float(moment.head[0, axis]))
 
     def _sight(self, channel: Channel, moment: Moment) -> Iterator[Step]:
         """The line of sight, and what the eyes make of it."""
