@@ -48,7 +48,7 @@ FORESEEN = 50.0
 """The acceleration that is carried on at most, deg/s^2: smooth motion is foreseen, a sudden start is not."""
 
 CATCHING = 500.0
-"""The fastest an eye catches up, deg/s: its head may turn against it, and both together come to the end of its reach."""
+"""The fastest an eye catches up, deg/s: the head may turn against it, and both come to the end of reach."""
 
 REST = 0.15
 """Between two catch-up saccades, s."""
