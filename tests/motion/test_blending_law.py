@@ -58,7 +58,7 @@ def muscles(text: str) -> np.ndarray:
 # ------------------------------------------------------------------------------------------------ rule 1
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(statements(ADDS, 4, 0), statements(ADDS, 4, 0), st.randoms(use_true_random=False))
 def test_what_is_added_adds_up_under_the_soft_limit(one: list[str], other: list[str], random: object) -> None:
     """Halves of everything keep each muscle below the bend, so that what is drawn is the sum."""
@@ -91,7 +91,7 @@ def test_lids_are_never_past_shut_nor_below_their_floor(text: str) -> None:
 
 
 @settings(max_examples=15, deadline=None)
-@given(statements(st.one_of(GAZES, SPELLS, SHOWS)), st.sampled_from(LIVES))
+@given(statements(st.one_of(GAZES, SPELLS, SHOWS.filter(lambda show: " - " not in show))), st.sampled_from(LIVES))
 def test_a_shut_lid_stays_shut_wherever_the_eye_turns(lines: list[str], life: str) -> None:
     drawn = played(script(["add blink over 0ms", *lines], life)).channels(COARSE[1:])
     assert drawn["lid.left"].min() == drawn["lid.right"].min() == 1.0
@@ -271,7 +271,7 @@ def test_nothing_strikes_the_end_of_its_reach(aim: str, parts: str) -> None:
 # ------------------------------------------------------------------------------------------------ purity
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(scripts(), st.integers(1, 200), st.randoms(use_true_random=False))
 def test_any_chunks_order_and_rate_give_the_same_finite_values(text: str, size: int, random: object) -> None:
     motion = played(text).motion
