@@ -64,6 +64,9 @@ def _standard(values: Floats) -> Floats:
     return (values - values.mean()) / max(float(values.std()), 1e-9)
 
 
+ASTRAY = 1.8
+"""Pitch further from the middle of its line, as a factor, is a slip of the tracker: one frame of it outweighs a line."""
+
 UTTERANCES = 36
 OTHERS = 5
 """Utterances, and with how many others' heads each is tried for what chance gives."""
@@ -95,7 +98,7 @@ def _explained(playing: Playing, line: TimedLine, moved: TimedLine) -> float:
     """The share of the variance of a line's pitch that the head explains, as it is while this line or another is said:
     the square of multiple R."""
     times, hertz = pitch(line.spoken)
-    heard = np.isfinite(hertz)
+    heard = np.abs(np.log(hertz / np.nanmedian(hertz))) < np.log(ASTRAY)
     trace = playing.trace(moved.start, moved.start + times[-1] + 0.02)
     head = [np.interp(moved.start + times[heard], trace.times, trace.head(axis)) for axis in ("yaw", "pitch", "roll")]
     known = np.stack([*head, np.ones(heard.sum())], axis=1)
