@@ -65,7 +65,7 @@ def _standard(values: Floats) -> Floats:
 
 
 ASTRAY = 1.8
-"""Pitch further from the middle of its line, as a factor, is a slip of the tracker: one frame of it outweighs a line."""
+"""Pitch further from the middle of its line, as a factor, is a slip of the tracker: one frame outweighs a line."""
 
 UTTERANCES = 36
 OTHERS = 5

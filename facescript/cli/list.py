@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Iterable
+from itertools import takewhile
 from pathlib import Path
 
 from facescript.backends.registry import backends
@@ -63,7 +64,15 @@ def _actions() -> Iterable[Row]:
         yield verb.form, verb.help
     for item in _library():
         if isinstance(item, ActionDefinition):
-            yield item.name.text, ", ".join(parameter.span.text for parameter in item.parameters)
+            parameters = "".join(f", {parameter.span.text}" for parameter in item.parameters)
+            yield f"{item.name.text}{parameters.replace(',', '', 1)}", _above(item)
+
+
+def _above(item: ActionDefinition) -> str:
+    """What the comment above a definition of the library says first."""
+    lines = item.span.source.text[: item.span.start].rstrip().split("\n")
+    comment = list(takewhile(lambda line: line.startswith("# "), reversed(lines)))
+    return " ".join(line[2:] for line in reversed(comment)).partition(". ")[0].rstrip(".")
 
 
 def _lives() -> Iterable[Row]:

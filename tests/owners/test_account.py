@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scripted import Played, played, script, scripts
 
+from facescript.motion.compose import BLINK_TURN, TURNED, TURNS
 from facescript.motion.perform import perform
 from facescript.owners.account import Accounts
 from facescript.owners.model import Account, Part, Step
@@ -117,9 +118,11 @@ def eye_comes_about(told: dict[str, Account], side: str) -> None:
         pull = 0.0
         if eye.steps[-2].rule != own.rule and "pulled" in eye.steps[-3].rule:
             shut = 1.0 - left_open(eye.steps[-3].parts)
-            pull = shut * (-1.2 if axis == "pitch" else 0.7 if side == "right" else -0.7)
+            turned = min(1.0, max(0.0, (shut - TURNS) / (TURNED - TURNS)))
+            far = BLINK_TURN[1] if axis == "pitch" else BLINK_TURN[0] * (1.0 if side == "right" else -1.0)
+            pull = far * turned**3 * (10.0 - 15.0 * turned + 6.0 * turned**2)
         both = [by_rule(told[f"eye.{side}.{name}"], "own terms").value for name in ("yaw", "pitch")]
-        if hypot(both[0] / 45.0, (both[1] - 1.2) / 28.0) < 0.95:
+        if hypot(both[0] / 45.0, (both[1] - 1.4) / 28.0) < 0.95:
             assert own.value + pull == close(eye.value)
 
 

@@ -251,8 +251,12 @@ def test_what_a_reaction_says_beside_a_scene_is_not_told() -> None:
 
 
 def test_a_gaze_out_of_reach_says_when_and_where() -> None:
-    text = "film screen none\ntarget bird moves\n    1s 0deg 0deg 2m\n    3s 150deg 0deg 2m\nlook at bird\nwait 4s\n"
-    found = compile_source(Source("script.face", text), World(Path(__file__).parent), EstimatedVoice()).diagnostics
-    (item,) = [item for item in found if item.code == "FS601"]
-    assert item.message.startswith("At 3 s this target is ")
-    assert [other.span.text.split()[:2] for other in item.related] == [["target", "bird"]]
+    text = (
+        "film screen none\ntarget bird moves\n    1s {start}deg 0deg 2m\n    3s 150deg 0deg 2m\nlook at bird\nwait 4s\n"
+    )
+    for start, code, words in ((100, "FS601", "At 3 s this target is "), (0, "FS603", "At 3 s this target is ")):
+        source = Source("script.face", text.format(start=start))
+        found = compile_source(source, World(Path(__file__).parent), EstimatedVoice()).diagnostics
+        (item,) = [item for item in found if item.code == code]
+        assert item.message.startswith(words)
+        assert [other.span.text.split()[:2] for other in item.related] == [["target", "bird"]]

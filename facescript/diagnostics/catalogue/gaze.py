@@ -31,7 +31,7 @@ GAZE: tuple[Entry, ...] = (
         "FS603",
         "target-leaves-reach",
         Severity.WARNING,
-        "This target is up to {short} beyond what eyes and head reach for a part of the time: gaze lets go of it then.",
+        "At {time} this target is {short} beyond what eyes and head reach: for a part of the time gaze lets go of it.",
         "target walker moves\n    0s -80cm 0cm 1m\n    4s 80cm 0cm -1m\n    8s 80cm 0cm 1m\nlook at walker\n",
         "target walker moves\n    0s -80cm 0cm 1m\n    8s 80cm 0cm 1m\nlook at walker\n",
         "A target that moves out of reach is looked after for half a second, then the eyes go back to the camera; when "
