@@ -109,7 +109,13 @@ def sight_meant(asked: Asked, drive: Drive) -> Floats:
 
 def eyes_wanted(asked: Asked, drive: Drive, head: Floats) -> Floats:
     """Both eyes in the head, array[n, 2, 3], before a blink pulls them; `head` is array[n, 3] as drawn."""
-    return eyes(sight_meant(asked, drive), head) + drive[_EYES].T.reshape(-1, 2, 3)
+    return eyes_on_sight(asked, drive, head) + drive[_EYES].T.reshape(-1, 2, 3)
+
+
+def eyes_on_sight(asked: Asked, drive: Drive, head: Floats) -> Floats:
+    """Both eyes in the head, array[n, 2, 3], as gaze and life would have them."""
+    added = np.hypot(head[:, 0] - asked.head[:, 0], head[:, 1] - asked.head[:, 1])
+    return eyes(sight_meant(asked, drive), head, added)
 
 
 def blinks_drawn(asked: Asked) -> list[Floats]:

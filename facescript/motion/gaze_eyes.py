@@ -23,19 +23,27 @@ WIDE = 85.0
 ROUGH = 0.1
 """As a part of the eyes' reach: by less than this do differences of angles miss how far they are turned in the head."""
 
-LAST = 0.99999
-"""The part of their reach that what is added to gaze may take the eyes to."""
+NEARLY, LAST = 0.974, 0.99999
+"""From the first part of their reach on the eyes are slowed that what is added to gaze takes further, to the second."""
 
 
-def eyes(sight: Floats, head_pose: Floats) -> Floats:
+GIVE, HALFWAY = 0.08, 5.0
+"""By how much earlier, as a part of their reach, the eyes are slowed where more than gaze turns the head, for a shake
+may run against a saccade; and the degrees of that at which it is half as much."""
+
+
+def eyes(sight: Floats, head_pose: Floats, added: Floats | None = None) -> Floats:
     """Both eyes in the head: array[n, 2, 3], left and right; yaw, pitch, roll.
 
     `sight` is array[n, 3]: yaw and pitch of the line of sight in the room and the distance (cm) at which both eyes
     converge; `head_pose` is array[n, 3]: yaw, pitch, roll as drawn. Each eye points at the one point there is,
     within its reach (bars S8, V1); the head's own motion is undone at once (VOR of gain 1, bars H7, H8). Roll is
-    Listing's: an eye has none but what its yaw and pitch bring about.
+    Listing's: an eye has none but what its yaw and pitch bring about. `added`, array[n], is by how many degrees the
+    head is turned besides gaze; None: not at all.
     """
-    yaw, pitch = _slowed(*converged(sight, head_pose), EYE_END, LAST)
+    square = np.zeros(len(sight)) if added is None else added * added
+    knee = NEARLY - GIVE * (square / (square + HALFWAY * HALFWAY))[:, None]
+    yaw, pitch = _slowed(*converged(sight, head_pose), knee, LAST)
     roll = np.degrees(2.0 * np.arctan(np.tan(np.radians(yaw) / 2.0) * np.tan(np.radians(pitch) / 2.0)))
     return np.stack([yaw, pitch, roll], axis=-1)
 
@@ -93,14 +101,14 @@ def _shortened(yaw: Floats, pitch: Floats, half: Floats) -> Floats:
     return np.where(extent > EYE_KNEE, scale, 1.0)
 
 
-def _slowed(yaw: Floats, pitch: Floats, knee: float, end: float) -> tuple[Floats, Floats]:
+def _slowed(yaw: Floats, pitch: Floats, knee: Floats | float, end: float) -> tuple[Floats, Floats]:
     """The eyes' angles, beyond the part `knee` of their reach slowed so that they come to `end` without a jolt."""
     extent = _extent(yaw, pitch)
     scale = _bent(extent, knee, end) / np.maximum(extent, 1e-9)
     return yaw * scale, pitch * scale
 
 
-def _bent(extent: Floats, knee: float, end: float) -> Floats:
+def _bent(extent: Floats, knee: Floats | float, end: float) -> Floats:
     """A part of the eyes' reach, beyond `knee` bent so that it comes to `end`, evenly slowed."""
     room = end - knee
     over = np.clip(end + room - extent, 0.0, 2.0 * room)

@@ -16,6 +16,7 @@ from facescript.motion.compose import (
     Asked,
     blinks_drawn,
     compose,
+    eyes_on_sight,
     eyes_wanted,
     head_pose,
     lips_pressed,
@@ -23,7 +24,6 @@ from facescript.motion.compose import (
     sight_meant,
 )
 from facescript.motion.drivers import ROWS, Drive, Floats
-from facescript.motion.gaze import eyes
 from facescript.motion.gaze_eyes import converged, in_head
 from facescript.motion.perform import FaceMotion
 from facescript.owners import gaze, sources
@@ -144,10 +144,12 @@ class Accounts:
             yield self._in_head(axis, moment)
             near = f"converging at {moment.sight[0, 2]:.4g} cm"
             yield Step(near, float(converged(moment.sight, moment.head)[axis][0, number]))
-            yield Step("within the eye's reach", float(eyes(moment.sight, moment.head)[0, number, axis]))
+            yield Step(
+                "within the eye's reach", float(eyes_on_sight(moment.asked, moment.drive, moment.head)[0, number, axis])
+            )
         else:
             listing = "Listing's roll, brought about by yaw and pitch"
-            yield Step(listing, float(eyes(moment.sight, moment.head)[0, number, axis]))
+            yield Step(listing, float(eyes_on_sight(moment.asked, moment.drive, moment.head)[0, number, axis]))
         own = self._parts(row, moment)
         yield Step("and the sum of the eye's own terms", float(moment.wanted[0, number, axis]), own)
         yield from self._pulled(side, axis, moment)

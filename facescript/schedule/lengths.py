@@ -23,6 +23,7 @@ from facescript.ir.values import AtTarget
 from facescript.schedule.defaults import Concrete, seconds
 from facescript.schedule.dwells import dwells
 from facescript.schedule.facts import Facts, Hold
+from facescript.schedule.haste import unhurried
 from facescript.schedule.presence import Presence
 from facescript.schedule.steps import NEVER, START, Step
 from facescript.schedule.voices import word_end
@@ -50,7 +51,7 @@ class Lengths:
         """Seconds from a step's start until it has settled; its verb is made concrete on the way. Not for lines."""
         start = step.time(START)
         made = self.concrete.verb(verb, step.place)
-        step.verb = verb = ended(verb, made, start, step.until)
+        step.verb = verb = unhurried(ended(verb, made, start, step.until))
         step.root.maker.take(step, self._weight(verb, start))
         if isinstance(verb, (Look, Glance, Show, Add, Gesture)) and verb.timing.lasting is not None:
             return seconds(verb.timing.lasting)

@@ -19,6 +19,7 @@ from facescript.schedule.drops import take_off
 from facescript.schedule.events import Events
 from facescript.schedule.facts import Facts
 from facescript.schedule.faults import Faults
+from facescript.schedule.haste import hurried
 from facescript.schedule.labels import Labels, nodes
 from facescript.schedule.lengths import PERSONS, Lengths
 from facescript.schedule.looks import Gaze, landings, scene_at
@@ -175,6 +176,7 @@ class _Scheduler:
         voices_together(sounds, self.faults)
         shows_together(solved.done, self.faults)
         looks_lost(solved.done, self.plans, self.faults)
+        hurried(solved.done, self.faults)
         apexes_missed(solved.done, self.drops, self.faults)
         left_out(solved.late, solved.times.cut, solved.long, self.faults)
         nothing_dropped(self.idle, self.drops, solved.done, self.faults)

@@ -25,7 +25,7 @@ HEAD_SIDE, HEAD_UP = 45.0, 30.0
 EASY, FULL = 0.75, 0.9
 """Beyond `EASY` of their reach the eyes are helped by the head; what they are left never exceeds `FULL` of it."""
 
-EYE_KNEE, EYE_END = 0.92, 0.992
+EYE_KNEE, EYE_END = 0.92, 0.9945
 """From the first part of their reach on the eyes are slowed, so that they come to the second without a jolt."""
 
 HEAD_SOFT = 0.9

@@ -33,7 +33,7 @@ the rest (motion.md section 2, "quick glance"; bar H5)."""
 HEAD_FIRST = 0.5
 """With `head then eyes` the eyes leave when the head has spent this part of its time."""
 
-HINDRANCE = 0.25
+HINDRANCE = 0.4
 """By this part of its time a saccade takes longer that interrupts another at its start (ours: eyes that are still on
 their way are not to be hurled on)."""
 
@@ -119,9 +119,9 @@ class Past:
         return self.moves[-1].goal(time)
 
     def to_come(self, time: float) -> float:
-        """The part of the last movement that is still to come at `time`, 0..1."""
-        last = self.moves[-1]
-        return min(1.0, (last.done - time) / (last.done - last.onset)) if last.onset < time < last.done else 0.0
+        """How many movements are still to come at `time`: each under way counts by the part of it that is left."""
+        under_way = (move for move in self.moves[-MOST_LAID:] if move.onset < time < move.done)
+        return sum((move.done - time) / (move.done - move.onset) for move in under_way)
 
     def way(self, goal: Goal, time: float) -> float:
         """How far a movement that sets off at `time` has to go to `goal`, deg: from where the part is then, or from
@@ -311,15 +311,16 @@ class Times:
 def _times(time: float, wish: Wish, amplitude: float, turn: float, hindered: float = 0.0) -> Times:
     """The timing of a shift of `amplitude` deg with a head movement of `turn` deg, by the order of its parts.
 
-    It is `hindered` by the part of a saccade that is still to come when it interrupts that.
+    It is `hindered` by the saccades, or parts of them, that are still to come when it interrupts them.
     """
     if wish.over == 0.0:
         return Times(time, time, time, time)
     speed = number(wish.manner.speed)
-    eye = max(saccade_time(amplitude) / speed, least_saccade_time(amplitude)) * (1.0 + HINDRANCE * hindered)
+    slower = 1.0 + HINDRANCE * hindered
+    eye = max(saccade_time(amplitude) / speed, least_saccade_time(amplitude)) * slower
     head = max(head_time(turn) / speed, least_head_time(turn))
     lag, wait = head_lag(amplitude) / speed, HEAD_FIRST * head if turn > TURNING else 0.0
-    over = None if wish.over is None else max(wish.over, _shortest(wish.parts, amplitude, turn))
+    over = None if wish.over is None else max(wish.over, slower * _shortest(wish.parts, amplitude, turn))
     if over is not None:
         lag, wait = min(lag, over / 2), over / 2
         eye, head = over, max(head, over - lag)

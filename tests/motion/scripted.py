@@ -129,18 +129,14 @@ EXPRESSIONS = one_of(
 FACE_TERM = joined(EXPRESSIONS, " ", DEGREE)
 FACE_SUM = st.one_of(FACE_TERM, joined(FACE_TERM, one_of(" + ", " - "), FACE_TERM))
 
-HEAD_PACE, EYE_PACE = 45.0, 120.0
-"""Deg/s that a channel of the head or of an eye is drawn to go at most, on average."""
-
 
 @st.composite
 def turns(draw: st.DrawFn) -> str:
-    """An add on channels of the head or the eyes, no faster than people."""
+    """An add on channels of the head or the eyes, however fast it is to be."""
     name = draw(one_of("head.yaw", "head.pitch", "head.roll", "eye.yaw", "eye.left.pitch", "eye.right.yaw"))
-    pace = HEAD_PACE if name.startswith("head") else EYE_PACE
     angle = draw(st.integers(-25, 25).filter(bool))
-    length = draw(st.integers(round(max(200.0, 1000.0 * abs(angle) / pace)), 1500))
-    lasting = draw(maybe(st.just(f" for {length + 200}ms back in {length}ms")))
+    length = draw(st.integers(5, 1500))
+    lasting = draw(maybe(joined(" for ", quantity(5, 1500, "ms"), " back in ", quantity(5, 1500, "ms"))))
     return f"add {name} {angle}deg over {length}ms{lasting}"
 
 
@@ -156,15 +152,15 @@ DROPS = joined(
     "drop ", one_of("smile", "frown", "AU4", "brows", "mouth.open"), maybe(joined(" over ", quantity(150, 900, "ms")))
 )
 
-NODS = joined("nod", maybe(joined(" ", DEGREE)), maybe(joined(" for ", quantity(600, 1500, "ms"))))
-SHAKES = joined("shake", maybe(joined(" ", DEGREE)), maybe(joined(" for ", quantity(900, 1800, "ms"))))
+NODS = joined("nod", maybe(joined(" ", DEGREE)), maybe(joined(" for ", quantity(20, 1500, "ms"))))
+SHAKES = joined("shake", maybe(joined(" ", DEGREE)), maybe(joined(" for ", quantity(20, 1800, "ms"))))
 TILTS = joined(
-    "tilt ", one_of("left", "right"), maybe(joined(" ", DEGREE)), maybe(joined(" for ", quantity(700, 1500, "ms")))
+    "tilt ", one_of("left", "right"), maybe(joined(" ", DEGREE)), maybe(joined(" for ", quantity(20, 1500, "ms")))
 )
 MOVES = st.one_of(NODS, SHAKES, TILTS)
 BLINKS = st.one_of(
-    joined("blink", maybe(joined(" ", DEGREE)), maybe(joined(" for ", quantity(200, 600, "ms")))),
-    joined("wink ", one_of("left", "right"), maybe(joined(" for ", quantity(250, 600, "ms")))),
+    joined("blink", maybe(joined(" ", DEGREE)), maybe(joined(" for ", quantity(10, 600, "ms")))),
+    joined("wink ", one_of("left", "right"), maybe(joined(" for ", quantity(10, 600, "ms")))),
 )
 
 STILL_AIMS = one_of("camera", "lamp", "shelf", "floor", "cup", "crowd.3")
@@ -179,8 +175,8 @@ MANNER = st.one_of(
     one_of(", eyes only", ", head only", ", head then eyes", ", eyes then head"),
     joined(", head ", quantity(0, 100, "%")),
 )
-PACE = maybe(one_of(", speed 80%", ", speed 60%", ", speed 120%", ", latency 150ms"))
-LASTS = st.one_of(st.just(""), joined(" over ", quantity(450, 1500, "ms")), joined(" for ", quantity(300, 1500, "ms")))
+PACE = maybe(one_of(", speed 80%", ", speed 60%", ", speed 200%", ", latency 150ms"))
+LASTS = st.one_of(st.just(""), joined(" over ", quantity(5, 1500, "ms")), joined(" for ", quantity(300, 1500, "ms")))
 LOOKS = joined("look ", AIMS, LASTS, MANNER, PACE)
 GLANCES = joined(
     "glance ", st.one_of(STILL_AIMS, st.just("fly")), maybe(joined(" for ", quantity(300, 900, "ms"))), MANNER

@@ -76,4 +76,14 @@ GAZE: tuple[Entry, ...] = (
         "Eyes turn at most twice as fast as people's do and at 550 degrees a second, the head at 250. `over 0ms` is at "
         "once: a cut, which experiments need.",
     ),
+    Entry(
+        "FS608",
+        "head-too-fast",
+        Severity.WARNING,
+        "Head and eyes cannot move that fast: this takes {needs}, and that is how long it will take.",
+        "nod for 100ms\n",
+        "nod for 500ms\n",
+        "A head turns at 250 degrees a second at most, an eye at 550, and a blink lasts 150 ms at least. `over 0ms` is "
+        "at once.",
+    ),
 )
