@@ -17,7 +17,7 @@ from facescript.motion.blend import (
     turn_within,
 )
 from facescript.motion.drivers import BLINKS, Drive, Floats, rows
-from facescript.motion.gaze import eyes, midline
+from facescript.motion.gaze.track import eyes, midline
 from facescript.performance.channels import INDEX, MOUTH, MUSCLES, SIDES
 from facescript.performance.easing import smooth
 from facescript.performance.performance import REST, Frames

@@ -12,9 +12,9 @@ from facescript.motion.compose import Asked, compose
 from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Floats
 from facescript.motion.expression import Expression
-from facescript.motion.gaze import GazeTrack
+from facescript.motion.gaze.track import GazeTrack
 from facescript.motion.gesture import Gestures
-from facescript.motion.life import Lives, lives
+from facescript.motion.life.lives import Lives, lives
 from facescript.motion.mouth import MouthTrack
 from facescript.performance.channels import NAMES
 from facescript.performance.performance import FaceCurves, Frames, Performance

@@ -24,7 +24,7 @@ from facescript.motion.compose import (
     sight_meant,
 )
 from facescript.motion.drivers import ROWS, Drive, Floats
-from facescript.motion.gaze_eyes import converged, in_head
+from facescript.motion.gaze.eyes import converged, in_head
 from facescript.motion.perform import FaceMotion
 from facescript.owners import gaze, sources
 from facescript.owners.model import Account, Part, Source, Step

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from facescript.ir.acts import Look, Scan
-from facescript.motion.gaze import GazeTrack
-from facescript.motion.gaze_curves import Blend
+from facescript.motion.gaze.curves import Blend
+from facescript.motion.gaze.track import GazeTrack
 from facescript.owners.model import Part, Source, statement
 from facescript.schedule.phrases import phrase
 from facescript.schedule.score import FOREVER, Score, TimedAct

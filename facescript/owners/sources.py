@@ -9,7 +9,7 @@ import numpy as np
 from facescript.motion.drivers import Floats
 from facescript.motion.expression import Layer
 from facescript.motion.gesture import Gestures
-from facescript.motion.life import Lives
+from facescript.motion.life.lives import Lives
 from facescript.motion.perform import SceneMotion
 from facescript.owners.model import Part, Source, statement
 from facescript.schedule.phrases import percent

@@ -8,7 +8,7 @@ from math import inf
 
 from facescript.ir.play import Face
 from facescript.ir.values import AtCamera
-from facescript.motion.gaze_aims import in_effect
+from facescript.motion.gaze.aims import in_effect
 from facescript.plot.axis import Scale
 from facescript.schedule.score import Score
 from facescript.space.plan import GazePlan

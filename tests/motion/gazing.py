@@ -10,7 +10,7 @@ from bars import Trace
 from facescript.ir.acts import GazeManner, Glance, Life, Look, Voice
 from facescript.ir.play import Face, Film, FixedTarget, MovingTarget, Target
 from facescript.ir.values import AtCamera, AtTarget, Point
-from facescript.motion.gaze import GazeTrack, eyes, midline
+from facescript.motion.gaze.track import GazeTrack, eyes, midline
 from facescript.schedule.score import Score, TimedAct, TimedScene
 from facescript.space.direction import towards
 from facescript.space.planner import GazeRequest, plan_gaze

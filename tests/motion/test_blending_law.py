@@ -31,7 +31,7 @@ from scripted import (
 from facescript.motion.blend import KNEE, LID_FLOOR
 from facescript.motion.compose import BLINK_TURN, TURNS
 from facescript.motion.drivers import ROWS
-from facescript.motion.gaze import GazeTrack, eyes
+from facescript.motion.gaze.track import GazeTrack, eyes
 from facescript.motion.mouth import values
 from facescript.performance.channels import INDEX, MUSCLES, SIDES
 from facescript.speech.mouthing import CLOSING

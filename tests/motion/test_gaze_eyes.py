@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from facescript.motion.gaze_eyes import APART_CM, eyes, midline
+from facescript.motion.gaze.eyes import APART_CM, eyes, midline
 
 
 def angle(limit: float) -> st.SearchStrategy[float]:

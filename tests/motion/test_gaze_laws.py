@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from facescript.ir.acts import GazeManner
 from facescript.ir.values import AtCamera, Towards
-from facescript.motion.gaze import GazeTrack
-from facescript.motion.gaze_aims import in_effect
+from facescript.motion.gaze.aims import in_effect
+from facescript.motion.gaze.track import GazeTrack
 from facescript.schedule.score import Score, TimedAct, TimedScene
 from facescript.space.planner import GazeRequest
 

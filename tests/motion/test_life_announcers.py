@@ -8,8 +8,8 @@ from distributions import LAWS, announcer_p_values, kolmogorov_smirnov, measured
 from living import preset
 
 from facescript.ir.acts import Life
-from facescript.motion.life_blinks import ANNOUNCER_RATE
-from facescript.motion.life_stations import ANNOUNCER, DOUBLED, STATIONS
+from facescript.motion.life.blinks import ANNOUNCER_RATE
+from facescript.motion.life.stations import ANNOUNCER, DOUBLED, STATIONS
 
 SURE = 0.01
 

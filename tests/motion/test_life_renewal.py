@@ -12,8 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from facescript.motion.dice import Dice, Event
-from facescript.motion.life_renewal import Span, Wait, gamma_wait, log_normal_wait, renewals
-from facescript.motion.life_stretches import NEVER, Stretches
+from facescript.motion.life.renewal import Span, Wait, gamma_wait, log_normal_wait, renewals
+from facescript.motion.life.stretches import NEVER, Stretches
 
 HOUR = Span(0.0, 3600.0)
 

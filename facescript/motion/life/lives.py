@@ -14,13 +14,13 @@ from facescript.ir.acts import Life, SetLife
 from facescript.ir.values import Amount, Draw
 from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Drive, Floats, number
-from facescript.motion.life_blinks import blinks
-from facescript.motion.life_brows import brows
-from facescript.motion.life_eyes import eyes
-from facescript.motion.life_head import head, nods
-from facescript.motion.life_model import Behaviour, Living, Moved
-from facescript.motion.life_occasions import Occasions
-from facescript.motion.life_prosody import beats, melody
+from facescript.motion.life.blinks import blinks
+from facescript.motion.life.brows import brows
+from facescript.motion.life.eyes import eyes
+from facescript.motion.life.head import head, nods
+from facescript.motion.life.model import Behaviour, Living, Moved
+from facescript.motion.life.occasions import Occasions
+from facescript.motion.life.prosody import beats, melody
 from facescript.performance.curves import Ramp
 from facescript.schedule.score import TimedAct, TimedLine
 

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from facescript.motion.dice import Event, Waits, events
-from facescript.motion.life_model import Accented, Living, Moved, accents, moved, pulses, said
-from facescript.motion.life_occasions import speech
-from facescript.motion.life_stretches import Stretches
+from facescript.motion.life.model import Accented, Living, Moved, accents, moved, pulses, said
+from facescript.motion.life.occasions import speech
+from facescript.motion.life.stretches import Stretches
 from facescript.performance.easing import through
 
 LEAST = 0.5

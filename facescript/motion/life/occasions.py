@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from facescript.ir.acts import Glance, Look, Scan
-from facescript.motion.life_stretches import Stretches
+from facescript.motion.life.stretches import Stretches
 from facescript.schedule.score import TimedAct, TimedLine
 
 TURN_GAP = 1.0

@@ -7,11 +7,11 @@ from math import exp
 
 from facescript.motion.dice import Dice, Event
 from facescript.motion.gesture import blink_profile
-from facescript.motion.life_model import Living, Moved, moved, pulses
-from facescript.motion.life_occasions import Shift
-from facescript.motion.life_renewal import Span, gamma_wait, log_normal_wait, renewals
-from facescript.motion.life_stations import THETA
-from facescript.motion.life_stretches import Stretches
+from facescript.motion.life.model import Living, Moved, moved, pulses
+from facescript.motion.life.occasions import Shift
+from facescript.motion.life.renewal import Span, gamma_wait, log_normal_wait, renewals
+from facescript.motion.life.stations import THETA
+from facescript.motion.life.stretches import Stretches
 
 LENGTH = 0.236
 """Mean seconds of a spontaneous blink: its closing phase, 28 % of it, takes 66 ms (`motion.md` 5, bar B3)."""

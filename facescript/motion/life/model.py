@@ -9,9 +9,9 @@ import numpy as np
 
 from facescript.motion.dice import Dice, Event
 from facescript.motion.drivers import ROWS, Floats
-from facescript.motion.life_fixations import Fixations
-from facescript.motion.life_occasions import Occasions
-from facescript.motion.life_stations import ANNOUNCER, STATIONS, Station
+from facescript.motion.life.fixations import Fixations
+from facescript.motion.life.occasions import Occasions
+from facescript.motion.life.stations import ANNOUNCER, STATIONS, Station
 from facescript.performance.curves import Curve, Pulses, Steps
 from facescript.performance.easing import Easing, smooth
 from facescript.schedule.score import TimedLine

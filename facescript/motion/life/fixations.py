@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from facescript.motion.drivers import Floats
-from facescript.motion.gaze_curves import saccade_curve
+from facescript.motion.gaze.curves import saccade_curve
 from facescript.performance.easing import smooth
 from facescript.space.main_sequence import saccade_time
 

@@ -8,8 +8,8 @@ from math import ceil
 import numpy as np
 
 from facescript.motion.dice import Event, events
-from facescript.motion.life_model import Living, Moved, moved, steps
-from facescript.motion.life_stations import Interval
+from facescript.motion.life.model import Living, Moved, moved, steps
+from facescript.motion.life.stations import Interval
 from facescript.performance.curves import Steps, Wander
 
 SWAY = {"head.yaw": 2.4, "head.pitch": 1.4, "head.roll": 1.8}

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 from math import cos, pi, sin
 
-from facescript.motion.life_fixations import TARGET, Fixation, Offset
-from facescript.motion.life_model import Living
-from facescript.motion.life_renewal import Span, log_normal_wait, renewals
-from facescript.motion.life_stretches import Stretches
+from facescript.motion.life.fixations import TARGET, Fixation, Offset
+from facescript.motion.life.model import Living
+from facescript.motion.life.renewal import Span, log_normal_wait, renewals
+from facescript.motion.life.stretches import Stretches
 
 NEAREST, FURTHEST = 0.15, 0.28
 """Deg from the target that a microsaccade lands (ours: with the drift they are of 0.15 to 0.96 deg; bar M1)."""

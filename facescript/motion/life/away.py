@@ -17,11 +17,11 @@ from dataclasses import dataclass, replace
 from math import cos, exp, hypot, inf, log, pi, sin
 
 from facescript.motion.dice import Dice
-from facescript.motion.life_fixations import TARGET, Fixation, Offset, fixation
-from facescript.motion.life_model import Living
-from facescript.motion.life_occasions import Turn
-from facescript.motion.life_renewal import Span, log_normal_wait, renewals
-from facescript.motion.life_stretches import Stretches
+from facescript.motion.life.fixations import TARGET, Fixation, Offset, fixation
+from facescript.motion.life.model import Living
+from facescript.motion.life.occasions import Turn
+from facescript.motion.life.renewal import Span, log_normal_wait, renewals
+from facescript.motion.life.stretches import Stretches
 
 MEAN_SIZE, LARGEST_CHANCE, SCALE = 6.9, 15.0, 15.7
 """A saccade is -6.9 ln(P / 15.7) deg, P uniform up to 15 (Eyes Alive): 0.31 deg and more."""

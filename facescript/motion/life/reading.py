@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from facescript.motion.life_fixations import TARGET, Fixation, Offset, fixation, jump_time
-from facescript.motion.life_model import Living
-from facescript.motion.life_stretches import Stretches
+from facescript.motion.life.fixations import TARGET, Fixation, Offset, fixation, jump_time
+from facescript.motion.life.model import Living
+from facescript.motion.life.stretches import Stretches
 
 STAY = 0.235, 0.09 / 0.235
 """Mean seconds of a fixation and their coefficient of variation (220 to 250 ms, deviation 80 to 100; `motion.md` 1)."""

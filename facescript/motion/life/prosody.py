@@ -8,7 +8,7 @@ import numpy as np
 
 from facescript.motion.dice import Event
 from facescript.motion.drivers import Floats
-from facescript.motion.life_model import Accented, Living, Moved, accents, moved, pulses, said
+from facescript.motion.life.model import Accented, Living, Moved, accents, moved, pulses, said
 from facescript.performance.curves import Spline
 from facescript.performance.easing import through
 from facescript.schedule.score import TimedLine

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from facescript.ir.play import Face
 from facescript.ir.values import AtCamera
-from facescript.motion.gaze_curves import still
-from facescript.motion.gaze_pursuit import AFTER, Following, Spell, follow
+from facescript.motion.gaze.curves import still
+from facescript.motion.gaze.pursuit import AFTER, Following, Spell, follow
 from facescript.space.plan import GazePlan
 from facescript.space.reach import head_goal, within
 from facescript.space.room import Room, Sight

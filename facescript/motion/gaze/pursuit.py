@@ -15,7 +15,7 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.motion.gaze_curves import Course, saccade_curve, through
+from facescript.motion.gaze.curves import Course, saccade_curve, through
 from facescript.space.main_sequence import HEAD_CEILING, PEAK_OVER_MEAN, saccade_part, saccade_time
 from facescript.space.reach import Direction
 from facescript.space.room import Sight

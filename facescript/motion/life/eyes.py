@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from facescript.motion.dice import Event
-from facescript.motion.life_away import Away, looks_away
-from facescript.motion.life_fixations import Fixation, jump_time, line_of_sight
-from facescript.motion.life_model import Living, Moved, moved, steps
-from facescript.motion.life_reading import reading, reads
-from facescript.motion.life_saccades import microsaccades
-from facescript.motion.life_stretches import Stretches
+from facescript.motion.life.away import Away, looks_away
+from facescript.motion.life.fixations import Fixation, jump_time, line_of_sight
+from facescript.motion.life.model import Living, Moved, moved, steps
+from facescript.motion.life.reading import reading, reads
+from facescript.motion.life.saccades import microsaccades
+from facescript.motion.life.stretches import Stretches
 from facescript.space.main_sequence import head_time
 
 FURTHEST = 30.0

@@ -14,7 +14,7 @@ from functools import lru_cache
 from math import erfc, exp, log, log1p, pi, sqrt
 
 from facescript.motion.dice import Dice, Event
-from facescript.motion.life_stretches import NEVER, Stretches
+from facescript.motion.life.stretches import NEVER, Stretches
 
 BLOCK = 16
 """Candidates that a block of time has on average; each block is hashed by itself."""

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.ir.play import Face
-from facescript.motion.gaze_aims import Bound, Until, in_effect, rest
-from facescript.motion.gaze_curves import Blend, Course, Movement, minimum_jerk_curve, saccade_curve
-from facescript.motion.gaze_eyes import eyes, midline, within_reach
+from facescript.motion.gaze.aims import Bound, Until, in_effect, rest
+from facescript.motion.gaze.curves import Blend, Course, Movement, minimum_jerk_curve, saccade_curve
+from facescript.motion.gaze.eyes import eyes, midline, within_reach
 from facescript.schedule.score import Score
 from facescript.space.main_sequence import VERGENCE_TIME, vergence_share
 from facescript.space.plan import GazePlan

@@ -1,0 +1,1 @@
+"""A life to what a living face does unasked: blinks, brows, head, eyes, and what its voice brings about."""
