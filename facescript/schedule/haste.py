@@ -64,7 +64,8 @@ def _least(mix: Mix, degree: float, pace: float) -> float:
 def unhurried(verb: Verb) -> Verb:
     """A concrete verb whose lengths are what the head and the eyes need; what jumps (`over 0ms`) still does."""
     if isinstance(verb, Gesture):
-        length = max(seconds(verb.timing.lasting), least_gesture(verb))
+        length = seconds(verb.timing.lasting)
+        length = max(length, least_gesture(verb)) if length else 0.0
         return replace(verb, timing=replace(verb.timing, lasting=length))
     if not isinstance(verb, (Show, Add)) or not (least := least_change(verb)):
         return verb

@@ -224,7 +224,7 @@ class _Scene:
         moving = self.room.moving(shift.aim)
         keys = moving.times if moving else ()
         low, high = bisect_right(keys, shift.start), bisect_left(keys, until)
-        times = [shift.start, *keys[low : high : (high - low) // JUDGED + 1]]
+        times = [shift.start, *keys[low : high : max(0, high - low) // JUDGED + 1]]
         if moving and until < keys[-1]:
             times.append(until)
         worst = max(times, key=shift.short)
