@@ -55,6 +55,9 @@ LISTENING = Manner((7.92, 1.57 / 7.92), (0.43, 0.24 / 0.43), 0.75, 22.7)
 BRIEFEST, MOST = 0.15, 15
 """Seconds of the shortest fixation away, and the most of them in one look away."""
 
+CLOSE = 1e-6
+"""Seconds within which two times are one: a last fixation as short as can be is one wherever in the film it is."""
+
 THINKING_BEFORE, THINKING_AFTER, BACK = (1.0, 0.25), (1.2, 0.25), (2.3, 0.5)
 """Mean and deviation of the seconds that a thoughtful look away starts before a turn, and ends after its start, and
 that the eyes are back on the partner before its end (Andrist 2013)."""
@@ -148,7 +151,7 @@ def _away(
     found, here, time = [fixation(start, first)], first, start
     for step, stay in enumerate(_stays(dice, behaviour, number, manner), 1):
         time += stay
-        if time > end - BRIEFEST:
+        if time > end - BRIEFEST + CLOSE:
             break
         here = _onwards(dice, f"{behaviour} {number}", step, here, reach)
         found.append(fixation(time, here))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 
 from facescript.motion.dice import Event
 from facescript.motion.life.away import Away, looks_away
-from facescript.motion.life.fixations import Fixation, jump_time, line_of_sight
+from facescript.motion.life.fixations import TARGET, Fixation, fixation, jump_time, line_of_sight
 from facescript.motion.life.model import Living, Moved, moved, steps
 from facescript.motion.life.reading import reading, reads
 from facescript.motion.life.saccades import microsaccades
@@ -30,18 +31,35 @@ def eyes(life: Living) -> Iterable[Moved]:
     away: Sequence[Away] = ()
     closed = [*life.occasions.moving.within(life.start, life.end)]
     fixations: Sequence[Fixation] = ()
+    resumed: list[float] = []
     if reach > 0.0 and reads(life):
         busy = Stretches(life.occasions.busy.within(life.start, life.end))
         fixations = tuple(reading(life, reach, busy))
-        closed += busy.between(life.start, life.end)
+        free = tuple(busy.between(life.start, life.end))
+        closed += free
+        resumed = [start for start, _ in free]
     elif reach > 0.0:
         away = tuple(looks_away(life, reach))
         fixations = tuple(item for look in away for item in look.fixations)
         longest = jump_time((0.0, 0.0), (2.0 * reach, 0.0))
         closed += [(item.onset - AROUND, item.onset + longest + AROUND) for item in fixations]
     yield from _sight(fixations)
-    yield from _sight(tuple(microsaccades(life, Stretches(closed))))
+    yield from _sight(tuple(_ended(microsaccades(life, Stretches(closed)), resumed)))
     yield from _along(away)
+
+
+def _ended(found: Iterable[Fixation], moments: Sequence[float]) -> Iterator[Fixation]:
+    """Fixations about the target, brought back to it at each of the moments (where reading goes on)."""
+    for item in found:
+        index = bisect_right(moments, item.onset)
+        if index == len(moments) or moments[index] >= item.end:
+            yield item
+            continue
+        end = moments[index]
+        share = (end - item.onset) / (item.end - item.onset)
+        left = tuple(there + share * (away - there) for there, away in zip(item.landed, item.left, strict=True))
+        yield Fixation(item.onset, item.landed, (left[0], left[1]), end)
+        yield fixation(end, TARGET)
 
 
 def _sight(found: Sequence[Fixation]) -> Iterator[Moved]:
