@@ -28,8 +28,8 @@ class Outputs:
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(13, "it is write-protected")
         beside = target.with_name(f".{target.stem[:80]}.{secrets.token_hex(6)}{target.suffix}")
+        self.pending.append((beside, target))  # before it is there: an interrupt may come as it is made
         beside.touch(exist_ok=False)
-        self.pending.append((beside, target))
         return beside
 
     @contextmanager

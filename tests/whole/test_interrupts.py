@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from facescript.backends.output import outputs
+
 COMMAND = [sys.executable, "-m", "facescript.cli.main", "build", "script.face", "--quiet"]
 SCRIPT = 'film 640x360\nface ada = woman\nscene a:\n    show smile\n    say "Good evening, everyone."\n    nod\n'
 OLD = b"as it was"
@@ -58,3 +60,16 @@ def test_full_disk(folder: Path, kind: str) -> None:
     assert "FS90" in done.stderr
     assert target.read_bytes() == OLD
     assert sorted(os.listdir(folder)) == sorted([target.name, "script.face"])
+
+
+def test_an_interrupt_as_a_file_is_made_leaves_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    made = Path.touch
+
+    def interrupted(path: Path, *words: object, **options: object) -> None:
+        made(path, *words, **options)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Path, "touch", interrupted)
+    with pytest.raises(KeyboardInterrupt), outputs() as batch:
+        batch.place(tmp_path / "film.svg")
+    assert os.listdir(tmp_path) == []
