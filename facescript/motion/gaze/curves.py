@@ -65,10 +65,16 @@ class Blend:
 
 def saccade_curve(times: Floats, onset: float, done: float) -> Floats:
     """How far a saccade between `onset` and `done` is at `times`, 0..1 (`main_sequence.position_series`)."""
-    if done <= onset:
-        return (times >= onset).astype(np.float64)
-    x = np.clip((times - onset) / (done - onset), 0.0, 1.0)
-    (a, scale, first), (b, _, second) = position_series(done - onset)
+    part = (times >= done).astype(np.float64)
+    flying = (times > onset) & (times < done)
+    if done > onset and flying.any():
+        part[flying] = _flown((times[flying] - onset) / (done - onset), done - onset)
+    return part
+
+
+def _flown(x: Floats, lasts: float) -> Floats:
+    """How far a saccade that `lasts` so many seconds is after the parts `x` of it, 0..1."""
+    (a, scale, first), (b, _, second) = position_series(lasts)
     early, late = np.minimum(x, 0.5), np.minimum(1.0 - x, 0.5)
     rising = scale * early**a * _polynomial(early, first)
     falling = 1.0 - scale * late**b * _polynomial(late, second)
