@@ -7,7 +7,7 @@ import hashlib
 
 def chance(seed: int, *place: object) -> float:
     """Uniform in [0, 1) for `seed` and a place (any values with a stable `str`), independent between places."""
-    text = "\x1f".join(str(part) for part in (seed, *place))
+    text = "\x1f".join(map(str, (seed, *place)))
     digest = hashlib.blake2b(text.encode(), digest_size=8).digest()
     return int.from_bytes(digest, "big") / 2**64
 

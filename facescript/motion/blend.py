@@ -36,8 +36,9 @@ TINY = 1e-200
 def soft_limit(value: Floats) -> Floats:
     """Rule 1: contraction within 0..1; the identity from 0 to 0.8, above it 0.8 + 0.2 tanh((x - 0.8) / 0.2)."""
     value = np.asarray(value, dtype=np.float64)
-    bent = KNEE + (1.0 - KNEE) * np.tanh((value - KNEE) / (1.0 - KNEE))
-    return np.maximum(np.where(value <= KNEE, value, bent), 0.0)
+    limited, high = np.maximum(value, 0.0), value > KNEE
+    limited[high] = KNEE + (1.0 - KNEE) * np.tanh((value[high] - KNEE) / (1.0 - KNEE))
+    return limited
 
 
 def lid_limit(value: Floats) -> Floats:

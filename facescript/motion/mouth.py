@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -113,8 +112,7 @@ def _rest(before: Sequence[MouthShape], rested: float, begins: float, on: float)
 def _in_film(line: TimedLine) -> list[MouthShape]:
     """A line's shapes at their times, from its first sound on; none begins after a cut."""
     limit = line.end
-    moved = (replace(s, on=s.on + line.start, off=s.off + line.start) for s in mouth_shapes(line.spoken.phones))
-    kept = [replace(shape, off=min(shape.off, limit)) for shape in moved if shape.on < limit]
+    kept = [s.later(line.start, limit) for s in mouth_shapes(line.spoken.phones) if s.on + line.start < limit]
     moving = [index for index, shape in enumerate(kept) if shape.name != "rest"]
     return kept[moving[0] : moving[-1] + 1] if moving else []
 

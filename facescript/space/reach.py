@@ -28,6 +28,9 @@ EASY, FULL = 0.75, 0.9
 EYE_KNEE, EYE_END = 0.92, 0.9945
 """From the first part of their reach on the eyes are slowed, so that they come to the second without a jolt."""
 
+ROUGH = 0.1
+"""As a part of the eyes' reach: by less than this do differences of angles miss how far they are turned in the head."""
+
 HEAD_SOFT = 0.9
 """The part of the head's range that it uses freely; the rest it approaches softly."""
 
@@ -132,6 +135,8 @@ def head_goal(direction: Direction, share: Direction, start: Direction = (0.0, 0
     not reach; never beyond its range. Smooth in `direction`."""
     head = start[0] + share[0] * (direction[0] - start[0]), start[1] + share[1] * (direction[1] - start[1])
     head = _in_range(head)
+    if extent((direction[0] - head[0], direction[1] - head[1])) <= EASY - ROUGH:
+        return head
     eye = in_head(direction, head)
     turned = extent(eye)
     if turned <= EASY:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
 from math import hypot, inf
+from typing import NamedTuple
 
 from facescript.ir.play import Crowd, Face, Film, FixedTarget, MovingTarget, Target
 from facescript.ir.values import (
@@ -42,8 +42,7 @@ PEOPLE = "people"
 """The crowd of those whom the camera sees."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sight:
+class Sight(NamedTuple):
     """A line of sight as it is drawn: yaw (+ the viewer's right) and pitch (+ up) in deg, and the distance in cm at
     which both eyes converge."""
 
@@ -165,8 +164,15 @@ class Room:
 
     def followed(self, face: str, aim: Aim, time: float) -> Sight:
         """The line of sight to a definite aim, or to where it was in sight last."""
+        return self.following(face, aim)(time)
+
+    def following(self, face: str, aim: Aim) -> Callable[[float], Sight]:
+        """`followed` as a function of time alone, the target looked up once."""
         sightings = self.sightings(face, aim)
-        return self.sight(face, aim, sightings.last(time) if sightings else time)
+        if sightings is None:
+            return lambda time: self.sight(face, aim, time)
+        at, last = sightings.path.at, sightings.last
+        return lambda time: self._seen(face, at(last(time)), in_picture=False)
 
     def _angles(self, face: str, point: Point) -> tuple[float, float]:
         sight = self._seen(face, point, in_picture=False)
@@ -212,7 +218,9 @@ class Room:
 def screen_fraction(fraction: float, z: float) -> float:
     """How much of the true angle is drawn for a target `z` cm in front of the screen: `fraction` from 40 cm on,
     smoothly to 1 at the screen ("The flat screen"; first seed, column 12)."""
-    near = min(1.0, max(0.0, z / PICTURE_CM))
+    if z >= PICTURE_CM:
+        return fraction
+    near = max(0.0, z / PICTURE_CM)
     return 1.0 + (fraction - 1.0) * near * near * (3.0 - 2.0 * near)
 
 

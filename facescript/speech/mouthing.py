@@ -57,6 +57,11 @@ class MouthShape:
     follows: str = ""
     slack: float = 0.0
 
+    def later(self, seconds: float, limit: float) -> MouthShape:
+        """The shape moved by `seconds`, no longer there at `limit`."""
+        off = min(self.off + seconds, limit)
+        return MouthShape(self.name, self.on + seconds, off, self.degree, self.follows, self.slack)
+
     @property
     def shut(self) -> bool:
         return self.name == "m"

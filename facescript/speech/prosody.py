@@ -6,12 +6,11 @@ through the candidates of all frames decides between octaves and between voiced 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from operator import sub
-from typing import Any
+from functools import lru_cache
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
@@ -54,6 +53,10 @@ Hiss and hum are not a voice."""
 BLOCK = 4_096
 """Frames that are looked at together: what is held does not grow with the line."""
 
+FEW = 4
+"""Frames in one product of matrices: so few that it is not shared out among threads, which would wait for each other
+and sum up in another order."""
+
 
 @dataclass(frozen=True, slots=True)
 class Prosody:
@@ -77,7 +80,7 @@ def prosody(pcm: bytes, rate: int) -> Prosody:
     loud = energy > max(energy.max(initial=QUIET) - SILENT, FLOOR)
     f0 = np.zeros(count)
     if loud.any():
-        search = Search(rate)
+        search = _search(rate)
         found = [search.at(samples, np.flatnonzero(loud[first:last]) + first) for first, last in blocks]
         candidates, strength, power = (np.concatenate(part) for part in zip(*found, strict=True))
         f0[loud] = path(np.flatnonzero(loud), *_or_unvoiced(candidates, strength, power))
@@ -91,11 +94,18 @@ def _energy(samples: Samples, rate: int, first: int, last: int) -> Floats:
         np.clip(np.rint((centres + side * LOUDNESS / 2.0) * rate).astype(np.intp), 0, len(samples))
         for side in (-1.0, 1.0)
     )
-    squares = np.square(samples[starts[0] : ends[-1]], dtype=np.int64)
-    sums = np.concatenate([[0], np.cumsum(squares)])
-    mean = (sums[ends - starts[0]] - sums[starts - starts[0]]) / (LOUDNESS * rate)
+    edges = np.unique(np.concatenate([starts, ends]))
+    squares = np.square(samples[edges[0] : edges[-1]], dtype=np.int64)
+    sums = np.concatenate([[0], np.cumsum(np.add.reduceat(squares, edges[:-1] - edges[0]))])
+    mean = np.subtract(*(sums[np.searchsorted(edges, side)] for side in (ends, starts))) / (LOUDNESS * rate)
     level: Floats = np.maximum(10.0 * np.log10(np.maximum(mean, 1e-9) / 32_768.0**2), QUIET)
     return level
+
+
+@lru_cache(maxsize=8)
+def _search(rate: int) -> Search:
+    """The search in sound at a rate, kept from line to line."""
+    return Search(rate)
 
 
 class Search:
@@ -108,6 +118,7 @@ class Search:
         self._fine = FINER * self._rate
         self._lags = np.arange(int(self._fine / HIGHEST) - 1, int(self._fine / LOWEST) + 3)
         self._size = _fast(2 * self._half + int(self._lags[-1]) // FINER + 1)
+        self._waves = _cosines(self._size, self._lags)
         self._window = np.hanning(2 * self._half + 1)[:-1].astype(np.float32)
         self._own = self._correlated(self._window[None, :])[0]
 
@@ -118,16 +129,28 @@ class Search:
             return np.zeros((0, CANDIDATES)), np.zeros((0, CANDIDATES)), np.zeros(0)
         centres = np.rint(frames * (HOP * self._rate)).astype(np.intp)
         low = _decimated(samples, self._factor, int(centres[0]) - self._half, int(centres[-1]) + self._half)
-        cut = low[(centres - centres[0])[:, None] + np.arange(2 * self._half)]
-        cut = (cut - cut.mean(axis=1, keepdims=True)) * self._window
+        cut = sliding_window_view(low, 2 * self._half)[centres - centres[0]]
+        cut -= cut.mean(axis=1, keepdims=True)
+        cut *= self._window
         power = np.einsum("ij,ij->i", cut, cut).astype(np.float64)
         return (*_peaks(self._correlated(cut) / self._own, self._lags, self._fine), power)
 
     def _correlated(self, cut: Singles) -> Singles:
         """The autocorrelation of each row at the lags, as if it were 1 at lag 0."""
         spectrum = np.fft.rfft(cut, self._size)
-        correlated = np.fft.irfft(spectrum.real**2 + spectrum.imag**2, FINER * self._size)
-        return (correlated[:, self._lags] / np.maximum(correlated[:, :1], 1e-9)).astype(np.float32)
+        power = spectrum.real**2 + spectrum.imag**2
+        padded = np.concatenate([power, np.zeros((-len(power) % FEW, power.shape[1]), dtype=np.float32)])
+        correlated = (padded.reshape(-1, FEW, power.shape[1]) @ self._waves).reshape(len(padded), -1)[: len(power)]
+        return (correlated[:, 1:] / np.maximum(correlated[:, :1], 1e-9)).astype(np.float32, copy=False)
+
+
+def _cosines(size: int, lags: Numbers) -> Singles:
+    """The power at each frequency of a spectrum of `size` samples to the autocorrelation at lag 0 and at `lags`:
+    array[frequency, 1 + lag]. Few lags are asked for: this is quicker than a transform that gives them all."""
+    turns = np.outer(np.arange(size // 2 + 1), np.concatenate([[0], lags]) / (FINER * size))
+    waves = 2.0 * np.cos(2.0 * np.pi * turns)
+    waves[0] /= 2.0
+    return waves.astype(np.float32)
 
 
 def _fast(size: int) -> int:
@@ -155,13 +178,23 @@ def _peaks(height: Singles, lags: Numbers, rate: float) -> tuple[Floats, Floats]
     before, at, after = height[:, :-2], height[:, 1:-1], height[:, 2:]
     lost = (OCTAVE * np.log2(HIGHEST * lags[1:-1] / rate)).astype(np.float32)
     score = np.where((at > before) & (at >= after) & (at > 0.0), at - lost, np.float32(-1.0))
-    best = np.argpartition(score, -CANDIDATES, axis=1)[:, -CANDIDATES:]
+    best = _highest(score)
     a, b, c = (np.take_along_axis(part, best, axis=1).astype(np.float64) for part in (before, at, after))
     shift = np.clip(0.5 * (a - c) / np.minimum(a - 2.0 * b + c, -1e-9), -0.5, 0.5)
     lag = lags[1:-1][best] + shift
     top = np.minimum(b - 0.25 * (a - c) * shift, 1.0) - OCTAVE * np.log2(HIGHEST * lag / rate)
     real = (np.take_along_axis(score, best, axis=1) > -1.0) & (rate / lag >= LOWEST) & (rate / lag <= HIGHEST)
     return np.where(real, rate / lag, 0.0), np.where(real, top, -1.0)
+
+
+def _highest(score: Singles) -> Numbers:
+    """The places of the `CANDIDATES` highest values of each row, the lowest first: array[row, candidate]."""
+    left, rows = score.copy(), np.arange(len(score))
+    found = np.empty((len(score), CANDIDATES), dtype=np.intp)
+    for place in reversed(range(CANDIDATES)):
+        found[:, place] = left.argmax(axis=1)
+        left[rows, found[:, place]] = -np.inf
+    return found
 
 
 def _or_unvoiced(f0: Floats, strength: Floats, power: Floats) -> tuple[Floats, Floats]:
@@ -176,23 +209,23 @@ def path(frames: Numbers, f0: Floats, strength: Floats) -> Floats:
 
     `f0` and `strength` are array[frame, candidate]. Frames that do not follow one another are met from silence.
     """
-    cost = _steps(frames, f0)
-    totals = [(strength[0] - TURN * (f0[0] > 0.0)).tolist()]
-    for costs, gains in zip(_lists(cost), _lists(strength[1:]), strict=True):
-        before = totals[-1]
-        totals.append([max(map(sub, before, row)) + gain for row, gain in zip(costs, gains, strict=True)])
-    chosen = np.empty(len(f0), dtype=np.intp)
-    chosen[-1] = np.argmax(totals[-1])
-    for index in range(len(f0) - 1, 0, -1):
-        chosen[index - 1] = (totals[index - 1] - cost[index - 1, chosen[index]]).argmax()
-    best: Floats = f0[np.arange(len(f0)), chosen]
+    ways = strength[1:, :, None] - _steps(frames, f0)
+    totals = np.empty_like(strength)
+    totals[0] = strength[0] - TURN * (f0[0] > 0.0)
+    for way, before, total in zip(ways, totals[:-1], totals[1:], strict=True):
+        way += before
+        np.maximum.reduce(way, axis=1, out=total)
+    best: Floats = f0[np.arange(len(f0)), _traced(totals[-1], ways.argmax(axis=2))]
     return best
 
 
-def _lists(rows: Floats) -> Iterator[list[Any]]:
-    """The rows as plain numbers, which are quicker one by one than small arrays are."""
-    for first in range(0, len(rows), BLOCK):
-        yield from rows[first : first + BLOCK].tolist()
+def _traced(last: Floats, came: Numbers) -> list[int]:
+    """The candidate of each frame on the way back from the best of the last; `came` is array[frame - 1, to]: from
+    which each is best come to."""
+    chosen = [int(last.argmax())]
+    for row in reversed(came.tolist()):
+        chosen.append(row[chosen[-1]])
+    return chosen[::-1]
 
 
 def _steps(frames: Numbers, f0: Floats) -> Floats:

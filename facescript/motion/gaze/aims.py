@@ -38,8 +38,14 @@ class Bound:
 
     def sight(self, time: float) -> Sight:
         """The line of sight to the target itself, or to where it was in sight last, at a time of the film."""
-        sight = self.room.followed(self.face.name, self.plan.aim, time - self.scene)
-        return Sight(*within((sight.yaw, sight.pitch)), sight.distance)
+        sight = self._followed(time - self.scene)
+        direction = sight.yaw, sight.pitch
+        kept = within(direction)
+        return sight if kept == direction else Sight(*kept, sight.distance)
+
+    @cached_property
+    def _followed(self) -> Callable[[float], Sight]:
+        return self.room.following(self.face.name, self.plan.aim)
 
     def eyes(self, times: Floats) -> Floats:
         """array[n, 2]: yaw and pitch of the line of sight."""

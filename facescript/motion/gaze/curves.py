@@ -40,7 +40,7 @@ class Blend:
 
     def at(self, times: Floats) -> Floats:
         """The values at `times`, which are sorted: array[n, k]."""
-        values = self.first(times)
+        values = np.array(self.first(times))
         if not len(times):
             return values
         for index in self._shown(times[0], times[-1]):
@@ -82,9 +82,10 @@ def _flown(x: Floats, lasts: float) -> Floats:
 
 
 def _polynomial(x: Floats, terms: Sequence[float]) -> Floats:
-    total = np.zeros_like(x)
-    for term in reversed(terms):
-        total = total * x + term
+    """The series by its powers at once: a saccade has few moments, and each step of Horner's rule would cost as much
+    as all of them."""
+    powers = x[:, None] ** np.arange(len(terms))
+    total: Floats = (powers * np.array(terms)).sum(axis=1)
     return total
 
 
@@ -99,7 +100,7 @@ def minimum_jerk_curve(times: Floats, onset: float, done: float) -> Floats:
 def still(value: Sequence[float]) -> Course:
     """The course that stays at `value`."""
     row = np.array(value, dtype=np.float64)
-    return lambda times: np.tile(row, (len(times), 1))
+    return lambda times: np.broadcast_to(row, (len(times), len(row)))
 
 
 def through(start: float, step: float, values: Floats) -> Course:

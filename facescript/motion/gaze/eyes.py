@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.space.reach import EYE_DOWN, EYE_END, EYE_KNEE, EYE_SIDE, EYE_UP
+from facescript.space.reach import EYE_DOWN, EYE_END, EYE_KNEE, EYE_SIDE, EYE_UP, ROUGH
 
 Floats = NDArray[np.float64]
 
@@ -19,9 +19,6 @@ APART_CM = 6.3
 
 WIDE = 85.0
 """Degrees: an eye that is turned further, by a channel of its own, counts as turned so far."""
-
-ROUGH = 0.1
-"""As a part of the eyes' reach: by less than this do differences of angles miss how far they are turned in the head."""
 
 NEARLY, LAST = 0.974, 0.99999
 """From the first part of their reach on the eyes are slowed that what is added to gaze takes further, to the second."""

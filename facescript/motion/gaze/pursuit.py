@@ -84,7 +84,7 @@ class Following:
 
     def eyes(self, times: Floats) -> Floats:
         """Yaw and pitch of the line of sight: array[n, 2]."""
-        values = self.smooth(times)
+        values = np.array(self.smooth(times))
         for onset, done, way in self.saccades:
             first = np.searchsorted(times, onset)
             values[first:] += saccade_curve(times[first:], onset, done)[:, None] * np.array(way)
@@ -104,7 +104,7 @@ class _Eyes:
     jumped: Pair = (0.0, 0.0)
     saccades: list[tuple[float, float, Pair]] = field(default_factory=list)
 
-    def total(self, time: float) -> Pair:
+    def look(self, time: float) -> Pair:
         """Where the eyes are, the saccade under way included."""
         x, y = self.place[0] + self.jumped[0], self.place[1] + self.jumped[1]
         if self.saccades and time < self.saccades[-1][1]:
@@ -141,24 +141,13 @@ def follow(
     seen = _seen(sight, start, count)
     foreseen = _foreseen(seen[:, :2], count)
     first = min(count - 1, max(0, int((spell.leave - start) / STEP)))
-    state = _Eyes(_pair(seen[BEFORE + first]), _pair(foreseen[first, 2:]), spell.landed, spell.landed, spell.eyes_until)
-    places, heads = np.empty((count, 2)), np.empty((count, 2))
-    head, turning = head_goal(_pair(seen[BEFORE])), (0.0, 0.0)
-    for step in range(count):
-        time = start + step * STEP
-        places[step], heads[step] = state.place, head
-        if step >= first:
-            x, y, u, v = foreseen[step].tolist()
-            _advance(state, (x, y), (u, v), time)
-        if spell.turned <= time < spell.head_until:
-            head, turning = _turn(head, turning, head_goal(state.total(time + STEP)))
-        else:
-            stop = head[0] + turning[0] / HEAD_RATE, head[1] + turning[1] / HEAD_RATE
-            head, turning = _turn(head, turning, stop)
+    eyes = _Eyes(_pair(seen[BEFORE + first]), _pair(foreseen[first, 2:]), spell.landed, spell.landed, spell.eyes_until)
+    places, looks = _pursued(eyes, foreseen, start, first)
+    heads = _turned(head_goal, _pair(seen[BEFORE]), looks, spell)
     nearness = 1.0 / seen[BEFORE - VERGENCE_STEPS : len(seen) - VERGENCE_STEPS, 2]
     return Following(
         through(start, STEP, places),
-        state.saccades,
+        eyes.saccades,
         through(start, STEP, heads),
         through(start, STEP, _converging(nearness)),
     )
@@ -170,11 +159,7 @@ def _pair(row: Floats) -> Pair:
 
 def _seen(sight: Callable[[float], Sight], start: float, count: int) -> Floats:
     """The line of sight to the target on the grid from `BEFORE` steps before `start` on: array[BEFORE + count, 3]."""
-    seen = np.empty((BEFORE + count, 3))
-    for row, step in zip(seen, range(-BEFORE, count), strict=True):
-        found = sight(start + step * STEP)
-        row[:] = found.yaw, found.pitch, found.distance
-    return seen
+    return np.array([sight(start + step * STEP) for step in range(-BEFORE, count)])
 
 
 def _foreseen(place: Floats, count: int) -> Floats:
@@ -201,26 +186,39 @@ def _converging(nearness: Floats) -> Floats:
     return converged
 
 
-def _advance(eyes: _Eyes, place: Pair, speed: Pair, time: float) -> None:
-    """One step of the eyes, which expect the target at a place and with a speed: a catch-up saccade where one is due,
-    and smooth pursuit."""
-    x, y = eyes.total(time)
+def _pursued(eyes: _Eyes, foreseen: Floats, start: float, first: int) -> tuple[Floats, list[Pair]]:
+    """The smooth place of the eyes at each step, array[n, 2], and where they look a step later.
+
+    They expect the target where it is `foreseen` (place and velocity a step), and follow it from the step `first` on.
+    """
+    look = eyes.place
+    places, looks = [look] * first, [look] * first
+    for step, (x, y, u, v) in enumerate(foreseen[first:].tolist(), first):
+        time = start + step * STEP
+        places.append(eyes.place)
+        _advance(eyes, (x - look[0], y - look[1]), (u, v), time)
+        look = eyes.look(time + STEP)
+        looks.append(look)
+    return np.array(places), looks
+
+
+def _advance(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
+    """One step of the eyes, which miss the target by `error` and expect it to have a speed: a catch-up saccade where
+    one is due, and smooth pursuit."""
     fast = hypot(*speed)
-    _catch_up(eyes, (place[0] - x, place[1] - y), speed, time)
-    slow = _at_most(2.0 * (place[0] - x), 2.0 * (place[1] - y), max(0.3, 0.05 * fast))
-    share, old = STEP / SMOOTHING, eyes.speed
-    wanted = gain(fast) * speed[0] + slow[0], gain(fast) * speed[1] + slow[1]
-    eyes.speed = old[0] + share * (wanted[0] - old[0]), old[1] + share * (wanted[1] - old[1])
-    half = STEP / 2
-    eyes.place = eyes.place[0] + half * (old[0] + eyes.speed[0]), eyes.place[1] + half * (old[1] + eyes.speed[1])
+    if hypot(*error) <= tolerated(fast):
+        eyes.amiss = time + STEP
+    if eyes.ready <= time < eyes.until and eyes.amiss + DECIDING <= time:
+        _catch_up(eyes, error, speed, time)
+    kept, share, half = gain(fast), STEP / SMOOTHING, STEP / 2
+    slow = _at_most(2.0 * error[0], 2.0 * error[1], max(0.3, 0.05 * fast))
+    (x, y), (u, v) = eyes.place, eyes.speed
+    eyes.speed = u + share * (kept * speed[0] + slow[0] - u), v + share * (kept * speed[1] + slow[1] - v)
+    eyes.place = x + half * (u + eyes.speed[0]), y + half * (v + eyes.speed[1])
 
 
 def _catch_up(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
-    """A saccade to where the target will be when it lands, if the error has been too large for long enough."""
-    if hypot(*error) <= tolerated(hypot(*speed)):
-        eyes.amiss = time + STEP
-    if not max(eyes.ready, eyes.amiss + DECIDING) <= time < eyes.until:
-        return
+    """A saccade to where the target will be when it lands."""
     lasts = max(saccade_time(hypot(*error)), PEAK_OVER_MEAN * hypot(*error) / CATCHING)
     way = error[0] + lasts * (speed[0] - eyes.speed[0]), error[1] + lasts * (speed[1] - eyes.speed[1])
     eyes.saccades.append((time, time + lasts, way))
@@ -228,11 +226,22 @@ def _catch_up(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
     eyes.ready = time + lasts + REST
 
 
-def _turn(head: Pair, turning: Pair, goal: Direction) -> tuple[Pair, Pair]:
-    """One step of the head towards its goal, critically damped, never faster than its ceiling (bar H6)."""
-    pull = [HEAD_RATE * HEAD_RATE * (g - h) - 2 * HEAD_RATE * t for g, h, t in zip(goal, head, turning, strict=True)]
-    turning = _at_most(turning[0] + STEP * pull[0], turning[1] + STEP * pull[1], HEAD_CEILING)
-    return (head[0] + STEP * turning[0], head[1] + STEP * turning[1]), turning
+def _turned(head_goal: Callable[[Direction], Direction], at: Pair, looks: list[Pair], spell: Spell) -> Floats:
+    """The head at each step, array[n, 2]: turned for a target that is `at` a place, it goes with where the eyes look
+    from when it is there until it is taken elsewhere, and stops."""
+    (x, y), (u, v) = head_goal(at), (0.0, 0.0)
+    heads, pull, drag = np.empty((len(looks), 2)), HEAD_RATE * HEAD_RATE, 2 * HEAD_RATE
+    for step, look in enumerate(looks):
+        heads[step] = x, y
+        if spell.turned <= spell.start + step * STEP < spell.head_until:
+            goal = head_goal(look)
+        else:
+            goal = x + u / HEAD_RATE, y + v / HEAD_RATE
+        u += STEP * (pull * (goal[0] - x) - drag * u)
+        v += STEP * (pull * (goal[1] - y) - drag * v)
+        u, v = _at_most(u, v, HEAD_CEILING)
+        x, y = x + STEP * u, y + STEP * v
+    return heads
 
 
 def _at_most(x: float, y: float, limit: float) -> Pair:
