@@ -162,12 +162,8 @@ class Room:
             self._sightings[face, target.name] = known
         return known
 
-    def followed(self, face: str, aim: Aim, time: float) -> Sight:
-        """The line of sight to a definite aim, or to where it was in sight last."""
-        return self.following(face, aim)(time)
-
     def following(self, face: str, aim: Aim) -> Callable[[float], Sight]:
-        """`followed` as a function of time alone, the target looked up once."""
+        """The line of sight to a definite aim, or to where it was in sight last, as a function of time alone."""
         sightings = self.sightings(face, aim)
         if sightings is None:
             return lambda time: self.sight(face, aim, time)

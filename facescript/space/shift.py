@@ -184,7 +184,8 @@ class Shifter:
         share, start = self._share(wish, at, self.head.goal(time))
         turned = self._turned(target, share, start, cost > 1)
         amplitude, turn = self._sizes(time, wish, target, turned)
-        times = _times(time, wish, amplitude, turn, self.eyes.to_come(time))
+        hindered = self.eyes.to_come(time)
+        times = _times(time, wish, amplitude, turn, hindered)
         if eyes:
             self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target, cost))
         if head:
@@ -205,7 +206,7 @@ class Shifter:
             instant=wish.over == 0.0,
             eye_done=self.start + times.eye_done,
             head_from=start,
-            needs=_needs(wish, amplitude, turn),
+            needs=_needs(wish, amplitude, turn, hindered),
         )
 
     def _sizes(self, time: float, wish: Wish, target: Goal, turned: Goal) -> tuple[float, float]:
@@ -239,8 +240,10 @@ class Shifter:
         return known
 
     def _directed(self, aim: Aim) -> Goal:
+        followed = self.room.following(self.face.name, aim)
+
         def direction(time: float) -> Direction:
-            sight = self.room.followed(self.face.name, aim, time)
+            sight = followed(time)
             return within((sight.yaw, sight.pitch))
 
         if self.room.moving(aim):
@@ -320,7 +323,7 @@ def _times(time: float, wish: Wish, amplitude: float, turn: float, hindered: flo
     eye = max(saccade_time(amplitude) / speed, least_saccade_time(amplitude)) * slower
     head = max(head_time(turn) / speed, least_head_time(turn))
     lag, wait = head_lag(amplitude) / speed, HEAD_FIRST * head if turn > TURNING else 0.0
-    over = None if wish.over is None else max(wish.over, slower * _shortest(wish.parts, amplitude, turn))
+    over = None if wish.over is None else max(wish.over, _shortest(wish.parts, amplitude, turn, slower))
     if over is not None:
         lag, wait = min(lag, over / 2), over / 2
         eye, head = over, max(head, over - lag)
@@ -334,20 +337,21 @@ def _times(time: float, wish: Wish, amplitude: float, turn: float, hindered: flo
     return Times(time, time + eye, time + lag, time + lag + head)
 
 
-def _needs(wish: Wish, amplitude: float, turn: float) -> float:
+def _needs(wish: Wish, amplitude: float, turn: float, hindered: float) -> float:
     """How long a shift takes whose `over` asks for less than eyes or head can do, s; else 0."""
     if not wish.over:
         return 0.0
-    least = _shortest(wish.parts, amplitude, turn)
+    least = _shortest(wish.parts, amplitude, turn, 1.0 + HINDRANCE * hindered)
     return least if least > wish.over else 0.0
 
 
-def _shortest(parts: str, amplitude: float, turn: float) -> float:
-    """The shortest `over` that eyes (`amplitude` deg) and head (`turn` deg) can follow, s."""
+def _shortest(parts: str, amplitude: float, turn: float, slower: float) -> float:
+    """The shortest `over` that eyes (`amplitude` deg) and head (`turn` deg) can follow, s, so much `slower` than free
+    ones."""
+    eyes, head = slower * least_saccade_time(amplitude), slower * least_head_time(turn)
     if parts == "head only":
-        return least_head_time(turn)
-    eyes = least_saccade_time(amplitude)
-    return max(2 * eyes, least_head_time(turn)) if parts == "head then eyes" else eyes
+        return head
+    return max(2 * eyes, head) if parts == "head then eyes" else eyes
 
 
 def _head_at(target: Goal, share: Direction, start: Direction, time: float) -> Direction:

@@ -106,6 +106,14 @@ def test_a_look_that_is_to_be_too_fast_is_warned_of_once_a_place() -> None:
     assert "for 60deg this takes 180ms" in told.message
 
 
+def test_what_a_hurried_look_needs_is_what_it_takes_when_it_interrupts_another() -> None:
+    """Two saccades at once are slower than each alone: what is told and what is done agree."""
+    story = plans(look(0, Towards(30, 0), 0.0), look(1, Towards(-30, 0), 0.03, over=0.01))
+    hurried, free = story[1][0], plans(look(1, Towards(-30, 0), 0.03, over=0.01))[1][0]
+    assert hurried.needs == pytest.approx(hurried.eye_done - hurried.eye_onset)
+    assert hurried.needs / hurried.amplitude > 1.1 * free.needs / free.amplitude
+
+
 def test_head_only_settles_with_the_head_and_head_then_eyes_with_the_eyes() -> None:
     head = plans(look(0, Towards(20, 0), 1.0, "head only"))[0][0]
     assert head.landed == head.head_done == pytest.approx(1.39)
