@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from facescript.pictures import MOST_PIXELS, PictureFailure
 from facescript.rig.picture import Linear, Stop
 from facescript.stage.backcloth import Backcloth
 from facescript.stage.ground import Backdrop, Photo
-from facescript.stage.photo import MOST_PIXELS, PictureFailure, photo
+from facescript.stage.photo import photo
 from facescript.world import WorldFailure
 
 WIDTH, HEIGHT = 64, 36

@@ -222,4 +222,15 @@ COMMAND: tuple[Entry, ...] = (
         stage="command",
         command=("plot", "script.face", "-o", "plot.png"),
     ),
+    Entry(
+        "FS930",
+        "film-opaque",
+        Severity.WARNING,
+        "`{path}` cannot be transparent, so white is behind the faces there; {fitting} can.",
+        "background none\nnod\n",
+        HELLO,
+        "H.264, the film in an MP4, has no transparency. A WebM of the same script has.",
+        stage="command",
+        command=("build", "script.face", "--to", "100ms", "-o", "film.mp4"),
+    ),
 )
