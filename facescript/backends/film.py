@@ -34,9 +34,6 @@ WEBM = (
     *("-c:a", "libopus", "-b:a", "96k", "-f", "webm"),
 )
 
-CLEAR_WEBM = (*WEBM, "-auto-alt-ref", "0")
-"""VP9 with a second picture for the opacity, which does not go with frames that are never shown."""
-
 SWIFTEST_GIF = 50.0
 """Frames a second: a GIF counts time in hundredths of a second, and players slow down what is under two."""
 
@@ -51,13 +48,12 @@ def write_mp4(job: Job, path: Path) -> None:
 
 def write_webm(job: Job, path: Path) -> None:
     """VP9 and Opus; with opacity where the ground is ever transparent. Raises `JobFailure`."""
-    clear = job.stage.clear is not None
-    _write_film(job, path, CLEAR_WEBM if clear else WEBM, clear)
+    _write_film(job, path, WEBM, job.stage.clear is not None)
 
 
 @contextmanager
 def film_options(job: Job, kind: Sequence[str], clear: bool = False) -> Iterator[tuple[str, ...]]:
-    """ffmpeg's options for a film of the job (`kind` is MP4 or a WEBM) whose planes come on its standard input."""
+    """ffmpeg's options for a film of the job (`kind` is MP4 or WEBM) whose planes come on its standard input."""
     pixels = "yuva420p" if clear else "yuv420p"
     picture = raw_input(pixels, even(job.stage.width), even(job.stage.height), job.fps)
     with _sound_file(job) as heard:

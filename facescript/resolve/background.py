@@ -114,6 +114,9 @@ def _parts(project: Project, reader: Reader) -> list[Part]:
     parts = _part(project, reader)
     while reader.word("to"):
         parts += _part(project, reader)
+    if isinstance(word := reader.peek(), Colour):
+        fix = instead(word.span, f"to {word.text}")
+        raise project.refuse("FS340", word.span, fixes=(fix,), reason="between two colours stands `to`")
     return parts
 
 

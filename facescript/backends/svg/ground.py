@@ -21,7 +21,10 @@ from facescript.stage.ground import Backdrop, Clear, Ground, Layer, Photo
 Floats = NDArray[np.float64]
 
 SHADE = 0.02
-"""The smallest step of opacity worth a number."""
+"""The smallest step of a shape's opacity worth a number."""
+
+VEIL = 0.004
+"""The same of a ground: it fills the film, so that a little of it would be seen."""
 
 COLOUR_OFF = 1.5
 """How far a colour may be off, of 255."""
@@ -64,7 +67,7 @@ class Behind:
         others = {layer: share for layer, share in shares.items() if not isinstance(layer, str | Clear)}
         self.layers += [layer for layer in others if layer not in self.layers]
         self.rows.append((time, self.colour, _covers(others, self.layers, low)))
-        self.solids.append((time, np.array([self.solid / SHADE])))
+        self.solids.append((time, np.array([self.solid / VEIL])))
 
     def elements(
         self, size: tuple[int, int], read: Callable[[str], bytes], paints: Paints, clock: Clock
@@ -89,12 +92,12 @@ class Behind:
         return Track([time for time, _ in keys], texts)
 
     def _covering(self, layer: Above) -> Track:
-        return _opacity([(time, np.array([covers.get(layer, 0.0) / SHADE])) for time, _, covers in self.rows])
+        return _opacity([(time, np.array([covers.get(layer, 0.0) / VEIL])) for time, _, covers in self.rows])
 
 
 def _opacity(rows: list[tuple[float, Floats]]) -> Track:
     keys = _keys(rows, 1.0)
-    texts = [f"{min(max(values[0] * SHADE, 0.0), 1.0):.2f}".rstrip("0").rstrip(".") for _, values in keys]
+    texts = [f"{min(max(values[0] * VEIL, 0.0), 1.0):.3f}".rstrip("0").rstrip(".") for _, values in keys]
     return Track([time for time, _ in keys], texts)
 
 
