@@ -100,7 +100,7 @@ def _warn(job: Job, wanted: list[tuple[str, Backend]]) -> None:
     opaque = [target for target, backend in wanted if backend.opaque]
     clear = job.stage.clear if opaque else None
     if clear is not None:
-        show(diagnose("FS930", clear.span, path=target, fitting=CLEAR_OUTPUTS) for target in opaque)
+        show(diagnose("FS915", clear.span, path=target, fitting=CLEAR_OUTPUTS) for target in opaque)
 
 
 def _write(job: Job, target: str, backend: Backend, batch: Outputs) -> None:

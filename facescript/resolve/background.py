@@ -16,7 +16,7 @@ from facescript.resolve.suggest import nearest
 from facescript.resolve.suggest import replace as instead
 from facescript.resolve.sums import left_over, number
 from facescript.resolve.units import ANGLE, TIME
-from facescript.resolve.words import COURSES
+from facescript.resolve.words import COURSES, NOTHING
 from facescript.syntax.tree import Colour, Dotted, Name, String, Word
 from facescript.text import Span
 from facescript.world import WorldFailure
@@ -24,10 +24,8 @@ from facescript.world import WorldFailure
 MOST_COLOURS = 16
 """Colours of one gradient."""
 
-NOTHING = "none"
-"""What stands for no background; people also write `NOTHING_TOO`."""
-
 NOTHING_TOO = ("transparent", "clear", "nothing", "off", "no")
+"""What people also write for `none`."""
 
 DOWN = -90.0
 """The direction of a gradient that does not say its own, deg."""

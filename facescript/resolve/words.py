@@ -95,6 +95,7 @@ CHANGE = ("over", "for", "back", "ease", "as")
 MANNERS = ("posed", "spontaneous")
 LASTING = ("over", "for", "as")
 COURSES = ("top to bottom", "left to right", "towards", "round")
+NOTHING = "none"
 VOICE = ("rate", "pitch", "volume")
 
 
@@ -200,11 +201,11 @@ _BLOCKS = (
     "at choose event film forever in on people person repeat resume restart stop times to together until use when with"
 )
 _DEFINERS = "action expression face film let life scene target use"
-_GIVEN = "all away camera down left neutral none right up"
+_GIVEN = "all away camera down left neutral right up"
 _CHANNELS = "brow cheek chin eye forehead gaze head lid lip mouth nose pupil"
 
 WORDS: frozenset[str] = frozenset(
-    {*VERBS, *DIRECT, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}
+    {*VERBS, *DIRECT, NOTHING, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}
 )
 """The language's own words: no definition, parameter or label may bear them."""
 
