@@ -167,6 +167,17 @@ COMMAND: tuple[Entry, ...] = (
         command=("explain", "script.face", "--channel", "lids.left", "--at", "0s"),
     ),
     Entry(
+        "FS915",
+        "film-opaque",
+        Severity.WARNING,
+        "`{path}` cannot be transparent, so white is behind the faces there; {fitting} can.",
+        "background none\nnod\n",
+        HELLO,
+        "H.264, the film in an MP4, has no transparency. A WebM of the same script has.",
+        stage="command",
+        command=("build", "script.face", "--to", "100ms", "-o", "film.mp4"),
+    ),
+    Entry(
         "FS920",
         "plot-channel",
         Severity.ERROR,
