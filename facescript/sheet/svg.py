@@ -59,6 +59,7 @@ class Pen:
         self.paints = Paints()
         self.clips: dict[tuple[str, ...], etree._Element] = {}
         self._paths: dict[tuple[str, ...], etree._Element] = {}
+        self._shared = 0
 
     def paths(self, shapes: tuple[Shape, ...], points: Floats, opacity: Floats) -> Iterator[etree._Element]:
         """The visible shapes of one frame, points array[point, 2] in px, opacity array[shape]."""
@@ -78,7 +79,8 @@ class Pen:
             self._paths[key] = path = svg("path", **look)
             return path
         if first.get("id") is None:
-            first.set("id", f"p{len(self._paths)}")
+            self._shared += 1
+            first.set("id", f"p{self._shared}")
         return svg("use", href=f"#{first.get('id')}")
 
     def _clip(self, outlines: Iterable[str]) -> str:
