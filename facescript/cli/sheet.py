@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable
 from pathlib import Path
 
 from facescript.cli.drawings import wanted, write
@@ -19,7 +18,7 @@ from facescript.resolve.suggest import nearest
 from facescript.rig.rigs import STYLES
 from facescript.sheet.cells import sections
 from facescript.sheet.html import write_html
-from facescript.sheet.page import BIGGEST, CELL, SMALLEST, SheetFault, lay_out
+from facescript.sheet.page import BIGGEST, CELL, SMALLEST, Page, SheetFault, lay_out
 from facescript.sheet.png import write_png
 from facescript.sheet.svg import write_svg
 from facescript.syntax.parser import parse
@@ -41,16 +40,24 @@ def run(options: argparse.Namespace) -> int:
     script = parse(source, diagnostics)
     play = resolve(script, world, diagnostics)
     code = show(diagnostics, hints=False)
-    if play is None or code:
+    if play is None:
         return code or FAULTS
-    faces = _chosen(options, play.faces)
-    known = expressions(script, world)
+    page = _page(options, source, play.faces, expressions(script, world), side)
+    return write(page, page.drawing, outs, WRITERS)
+
+
+def _page(
+    options: argparse.Namespace, source: Source, faces: tuple[Face, ...], known: tuple[Expression, ...], side: int
+) -> Page:
+    """The page, and what is said of expressions that are not on it. Raises `OptionFault`."""
     try:
-        page = lay_out(Path(source.name).name, faces, sections(known, options.units), side)
+        page = lay_out(Path(source.name).name, _chosen(options, faces), sections(known, options.units), side)
     except SheetFault as fault:
         raise OptionFault(fault.code, **fault.values) from None
-    _tell(known)
-    return write(page, page.drawing, outs, WRITERS)
+    for each in known:
+        if each.drivers is None:
+            refuse("FS935", name=each.name)
+    return page
 
 
 def _side(text: str | None) -> int:
@@ -81,10 +88,3 @@ def _chosen(options: argparse.Namespace, faces: tuple[Face, ...]) -> list[Face]:
         if name not in names:
             raise OptionFault("FS931", name=name, known=", ".join(f"`{each}`" for each in names))
     return [face for face in seen if not options.face or face.name in options.face]
-
-
-def _tell(known: Iterable[Expression]) -> None:
-    """What is not on the sheet."""
-    for each in known:
-        if each.drivers is None:
-            refuse("FS935", name=each.name)
