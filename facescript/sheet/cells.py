@@ -41,10 +41,11 @@ class Cell:
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """Cells under one title."""
+    """Cells under one title; `close` where they are of eyes and mouth alone."""
 
     title: str
     cells: tuple[Cell, ...]
+    close: bool = False
 
 
 FIRST = Section(
@@ -59,11 +60,13 @@ def sections(expressions: Sequence[Expression], units: bool) -> tuple[Section, .
     found = (
         Section("Expressions of the script", _shown(each for each in shown if each.own)),
         Section("Expressions of the library", _shown(each for each in shown if not each.own)),
-        Section("Shapes of the mouth", tuple(Cell(name, spoken=values) for name, values in SHAPES.items())),
+        Section("Shapes of the mouth", tuple(Cell(name, spoken=values) for name, values in SHAPES.items()), close=True),
         Section("Head: yaw, pitch", tuple(Cell(f"{y}°, {p}°", turn=(y, p)) for p in PITCHES for y in YAWS)),
         Section("Head: roll", tuple(Cell(f"{angle}°", (Driver("head.roll", angle),)) for angle in ROLLS)),
-        Section("Eyes: yaw, pitch", tuple(Cell(f"{y}°, {p}°", gaze=(y, p)) for p in UPWARDS for y in SIDEWAYS)),
-        Section("Blink and wink", tuple(_blinks(expressions))),
+        Section(
+            "Eyes: yaw, pitch", tuple(Cell(f"{y}°, {p}°", gaze=(y, p)) for p in UPWARDS for y in SIDEWAYS), close=True
+        ),
+        Section("Blink and wink", tuple(_blinks(expressions)), close=True),
         Section("Units of FACS", _shown(each for each in expressions if each.unit and units)),
     )
     return tuple(section for section in found if section.cells)

@@ -41,13 +41,14 @@ class SheetFault(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """Where a face stands in a cell: the left upper corner and the side, px."""
+    """Where a face stands in a cell: the left upper corner and the side, px; `close` is how it is seen."""
 
     face: Face
     cell: Cell
     left: int
     top: int
     side: int
+    close: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +78,8 @@ class Grid:
         for number, cell in enumerate(self.section.cells):
             row, column = divmod(number, self.columns)
             across, down = column * (self.side + GAP), row * (self.side + LABEL)
-            yield Spot(face, cell, MARGIN + across, top + self.top + self.heading + down, self.side)
+            upper = top + self.top + self.heading + down
+            yield Spot(face, cell, MARGIN + across, upper, self.side, self.section.close)
 
 
 def lay_out(name: str, faces: Sequence[Face], sections: Sequence[Section], side: int) -> Page:

@@ -25,15 +25,15 @@ def sheet(page: Page) -> Image.Image:
     """The whole page in RGB. Raises `JobFailure`."""
     image = picture(page.drawing)
     with drawing_faults():
-        for _, spots in groupby(page.spots, key=lambda spot: (spot.face.name, spot.side)):
+        for _, spots in groupby(page.spots, key=lambda spot: (spot.face.name, spot.side, spot.close)):
             _paint(image, list(spots))
     return image
 
 
 def _paint(image: Image.Image, spots: list[Spot]) -> None:
-    """Paint one face into places of one size."""
-    side = spots[0].side
-    drawn = portraits(spots[0].face, [spot.cell for spot in spots], side)
+    """Paint one face into places where it is as large."""
+    face, side, close = spots[0].face, spots[0].side, spots[0].close
+    drawn = portraits(face, [spot.cell for spot in spots], side, close)
     painter = Painter(side, side, drawn.shapes)
     red, green, blue = colour(GROUND)
     ground = np.full((side, side), 0xFF << 24 | red << 16 | green << 8 | blue, dtype=np.uint32)

@@ -23,8 +23,8 @@ from facescript.stage.stage import Stage
 
 Floats = NDArray[np.float64]
 
-SIZE, LIFT = 1.2, 1 / 15
-"""A face in its cell: so much larger than the cell, and so far down in it, that the head fills it."""
+HEAD, CLOSE = (1.2, -1 / 15), (1.9, 0.0)
+"""How large the art box is in its cell, and how far above the cell's middle: a whole head, or eyes and mouth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,9 +36,10 @@ class Portraits:
     opacity: Floats
 
 
-def portraits(face: Face, cells: Sequence[Cell], side: int) -> Portraits:
-    """The face in the cells, each `side` px wide and high, with nothing behind it."""
-    posed = replace(face, place=PicturePlace(0.0, -LIFT), size=SIZE)
+def portraits(face: Face, cells: Sequence[Cell], side: int, close: bool) -> Portraits:
+    """The face in the cells, each `side` px wide and high, with nothing behind it; whole, or `close`."""
+    size, lift = CLOSE if close else HEAD
+    posed = replace(face, place=PicturePlace(0.0, lift), size=size)
     scene = TimedScene("sheet", (face.name,), 0.0, float(len(cells)))
     score = Score(Film(side, side), (posed,), (), (scene,), (), (), (), scene.end)
     performance = Performance({face.name: Posing(poses(score, cells))}, scene.end)

@@ -32,9 +32,9 @@ def write_svg(page: Page, path: Path) -> None:
 def sheet(page: Page) -> etree._Element:
     """The whole page as one `svg` element."""
     root, pen = document(page.drawing), Pen()
-    for _, group in groupby(page.spots, key=lambda spot: spot.face.name):
+    for _, group in groupby(page.spots, key=lambda spot: (spot.face.name, spot.close)):
         spots = list(group)
-        drawn = portraits(spots[0].face, [spot.cell for spot in spots], SIDE)
+        drawn = portraits(spots[0].face, [spot.cell for spot in spots], SIDE, spots[0].close)
         for number, spot in enumerate(spots):
             root.append(_portrait(spot, drawn, number, pen))
     definitions = svg("defs")
