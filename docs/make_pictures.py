@@ -14,7 +14,7 @@ from facescript.backends.job import Job
 from facescript.backends.stills import write_png
 from facescript.cli.main import main as run
 from facescript.compile import compile_source
-from facescript.rig.rigs import STYLES
+from facescript.resolve.kinds.library import kind_names
 from facescript.speech.voicebox import open_voice
 from facescript.text import Source
 from facescript.world import World
@@ -167,7 +167,9 @@ def gallery() -> None:
 def page() -> str:
     """The gallery: a moment of each example under what its first line says it is, and the sheet of each kind."""
     shown = "\n".join(_shown(name, time) for name, time in GALLERY.items())
-    sheets = "\n".join(f"### {kind}\n\n![The sheet of {kind}](../tests/sheet/golden/{kind}.png)\n" for kind in STYLES)
+    sheets = "\n".join(
+        f"### {kind}\n\n![The sheet of {kind}](../tests/sheet/golden/{kind}.png)\n" for kind in kind_names()
+    )
     return f"{HEAD}\n{shown}\n{SHEETS}\n{sheets}"
 
 

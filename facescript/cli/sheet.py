@@ -13,9 +13,9 @@ from facescript.diagnostics.model import Diagnostics
 from facescript.ir.play import Face
 from facescript.resolve.expressions import Expression, expressions
 from facescript.resolve.faces import ONLY
+from facescript.resolve.kinds.library import kind_names
 from facescript.resolve.resolver import resolve
 from facescript.resolve.suggest import nearest
-from facescript.rig.rigs import STYLES
 from facescript.sheet.cells import sections
 from facescript.sheet.html import write_html
 from facescript.sheet.page import BIGGEST, CELL, SMALLEST, Page, SheetFault, lay_out
@@ -69,12 +69,12 @@ def _side(text: str | None) -> int:
 
 def _opened(name: str) -> tuple[Source, World]:
     """The script, or one with a single face of the kind named. Raises `WorldFailure`, `OptionFault`."""
-    if name in STYLES:
+    if name in kind_names():
         return Source(name, f"face {ONLY} = {name}\n"), World(Path.cwd())
     if name == STANDARD or Path(name).suffix or Path(name).exists():
         return open_script(name)
-    near = nearest(name, STYLES)
-    meant = f"did you mean `{near}`?" if near else f"there is {', '.join(f'`{kind}`' for kind in STYLES)}."
+    near = nearest(name, kind_names())
+    meant = f"did you mean `{near}`?" if near else f"there is {', '.join(f'`{kind}`' for kind in kind_names())}."
     raise OptionFault("FS930", name=name, meant=meant)
 
 

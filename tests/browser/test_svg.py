@@ -84,7 +84,7 @@ def test_looks_like_our_frames(evening: Path, tmp_path: Path) -> None:
 
 
 def in_step(page: Page, start: int) -> bool:
-    """Whether picture and sound keep together for 150 frames; a machine that stands still for a moment may spoil that."""
+    """Whether picture and sound keep together for 150 frames; a machine that stalls for a moment may spoil that."""
     found = np.array(page.run(CLOCKS.replace("FROM", str(start)).replace("COUNT", "150")))
     assert len(found) >= 100
     return bool(found[5:].min() >= -EARLY and found[5:].max() <= LATE)

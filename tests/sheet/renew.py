@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from goldens import FOLDER, compare, keep, show
 
-from facescript.rig.rigs import STYLES
+from facescript.resolve.kinds.library import kind_names
 
 
 def main() -> None:
     """Renews what differs by more than the tests allow, and leaves the rest as it is."""
-    for kind in STYLES:
+    for kind in kind_names():
         found = compare(kind)
         if found.same:
             print(f"{found.told()}: kept as it is")
@@ -18,7 +18,7 @@ def main() -> None:
         keep(kind)
         print(f"{found.told()}: renewed; {page} shows before, after and difference")
     for path in FOLDER.glob("*.png"):
-        if path.stem not in STYLES:
+        if path.stem not in kind_names():
             path.unlink()
             print(f"{path.stem}: no such kind any more; removed")
 
