@@ -150,6 +150,24 @@ def expression_lines(p: Palette, brow_y: float, nose_y: float, chin_y: float) ->
     )
 
 
+def near_ear(p: Palette, tone: str, rim: Loop, inner: Loop) -> tuple[Part, ...]:
+    """The ears again, before the cheek, its skin running into theirs: each shows while its side is turned to us."""
+    parts: list[Part] = []
+    for side, line, turn in (("right", ((1, 0), (0, 0)), mirror), ("left", ACROSS, lambda outline: outline)):
+        skin = ramp((0, tone, 0), (0.45, tone), (1, tone), line=line)
+        parts.append(Part(f"ear-near-{side}", "face", "ear", skin, (turn(rim),), 0))
+        parts.append(Part(f"ear-near-inner-{side}", "face", "ear", p["skin.deep"], (turn(inner),), 0))
+    return tuple(parts)
+
+
+def nose_edges(p: Palette, edge: Loop) -> tuple[Part, ...]:
+    """The ridge's edge against the far cheek, on either side: it shows as the head turns."""
+    return tuple(
+        Part(f"nose-edge-{side}", "nose", "nose", p["skin.wing"], (outline,), 0)
+        for side, outline in (("right", mirror(edge)), ("left", edge))
+    )
+
+
 def nose_light(p: Palette, ridge: Loop, tip: Loop, strength: tuple[float, float]) -> tuple[Part, ...]:
     """The light along the ridge and on the tip."""
     return (

@@ -12,6 +12,8 @@ from facescript.rig.cartoon.common import (
     face_outline,
     glow,
     mouth_parts,
+    near_ear,
+    nose_edges,
     nose_light,
     ramp,
 )
@@ -107,7 +109,7 @@ BROW_HAIRS = (
 )
 
 TOP = (
-    (-88, -112, 1), (-106, -107), (-122, -120), (-128, -152), (-104, -192), (-48, -222), (20, -228), (84, -210),
+    (-98, -98, 1), (-112, -102), (-124, -120), (-128, -152), (-104, -192), (-48, -222), (20, -228), (84, -210),
     (122, -168),
     (129, -126), (122, -100), (104, -88, 1), (92, -103), (60, -112), (10, -120), (-44, -122),
 )  # fmt: skip
@@ -190,12 +192,14 @@ def _clothes(p: Palette) -> tuple[Part, ...]:
     )
 
 
+EAR = loop((114, -14), (128, -27), (142, -16), (141, 12), (132, 36), (124, 54), (114, 56), (110, 40))
+EAR_INNER = loop((121, -10), (133, -14), (134, 6), (127, 26), (119, 34), (124, 14))
+
+
 def _ears(p: Palette) -> tuple[Part, ...]:
-    rim = loop((114, -14), (128, -27), (142, -16), (141, 12), (132, 36), (124, 54), (114, 56), (110, 40))
-    inner = loop((121, -10), (133, -14), (134, 6), (127, 26), (119, 34), (124, 14))
     return (
-        *both(Part("ear", "ears", "ear", mix(p["skin.base"], p["skin.shade"], 0.3), (rim,))),
-        *both(Part("ear-inner", "ears", "ear", p["skin.deep"], (inner,), 0.6)),
+        *both(Part("ear", "ears", "ear", mix(p["skin.base"], p["skin.shade"], 0.3), (EAR,))),
+        *both(Part("ear-inner", "ears", "ear", p["skin.deep"], (EAR_INNER,), 0.6)),
     )
 
 
@@ -223,6 +227,7 @@ def _face(p: Palette) -> tuple[Part, ...]:
         Part("face-hair-shadow", "face", "skin", p["skin.deep"], (cast,), 0.42, FACE),
         Part("face-forehead-light", "face", "skin", glow(p["skin.gleam"], 0.95, 0.5), (brow,), 0.55),
         Part("face-chin-light", "face", "mouth", glow(p["skin.gleam"], 0.95, 0.5), (spot(-4, 158, 24, 13),), 0.28),
+        *near_ear(p, mix(base, shade, 0.3), EAR, EAR_INNER),
     )
 
 
@@ -243,13 +248,14 @@ def _nose(p: Palette) -> tuple[Part, ...]:
         Part("nose-under", "nose", "nose", p["skin.deep"], (under,), 0.6),
         Part("nose-wings", "nose", "nose", p["skin.wing"], wings, 0.9),
         Part("nose-nostrils", "nose", "nose", p["skin.nostril"], (mirror(nostril), nostril), 0.9),
+        *nose_edges(p, ribbon((14, -26, 0.01), (11, 4, 2), (13, 36, 2.4), (17, 53, 2.2), (12, 66, 0.01))),
         *nose_light(p, ridge, tip, (0.4, 0.5)),
     )
 
 
 def _front(p: Palette) -> tuple[Part, ...]:
     temple = loop(
-        (90, -150, 1), (122, -116), (131, -62), (128, -22), (122, 30, 1), (117, -14), (112, -56), (100, -86),
+        (90, -150, 1), (112.5, -119), (125.5, -54), (125.5, 0), (119, 30, 1), (117, -14), (112, -56), (100, -86),
         (84, -108),
         (72, -128, 1),
     )  # fmt: skip

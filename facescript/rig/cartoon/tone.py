@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from facescript.performance.channels import SIDES
-from facescript.rig.cartoon.pen import Floats
+from facescript.rig.cartoon.pen import Floats, step
 
 Columns = dict[str, Floats]
 
@@ -25,4 +25,9 @@ def tones(named: Columns) -> Columns:
     out["forehead-lines"] = np.minimum(0.22 * brow_in + 0.12 * brow_out + 0.34 * brows, 0.36)
     out["nose-wrinkles"] = np.minimum(0.50 * nose, 0.55)
     out["chin-lines"] = np.minimum(0.34 * chin, 0.4)
+    turned = np.sin(np.radians(named["head.yaw"]))
+    for side, near in (("left", -turned), ("right", turned)):
+        for part in ("ear-near", "ear-near-inner"):
+            out[f"{part}-{side}"] = step(0.04, 0.30, near)
+        out[f"nose-edge-{side}"] = 0.62 * step(0.20, 0.70, -near)
     return out

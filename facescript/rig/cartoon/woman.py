@@ -12,6 +12,8 @@ from facescript.rig.cartoon.common import (
     face_outline,
     glow,
     mouth_parts,
+    near_ear,
+    nose_edges,
     nose_light,
     ramp,
 )
@@ -109,7 +111,7 @@ LOCK_RIGHT = (
 )  # fmt: skip
 LOCK_LEFT = (
     (-26, -205, 1), (36, -213), (108, -184), (156, -108), (170, -18), (160, 62), (168, 134), (186, 196), (160, 272, 1),
-    (152, 226), (128, 168), (118, 104), (126, 30), (118, -30), (86, -80), (26, -122), (-34, -142, 1),
+    (152, 226), (128, 168), (114, 104), (126, 30), (118, -30), (86, -80), (26, -122), (-34, -142, 1), (-35, -172),
 )  # fmt: skip
 """The two masses of hair in front, from the parting: on the image's left (the face's right) and on its right."""
 
@@ -189,13 +191,15 @@ def _clothes(p: Palette) -> tuple[Part, ...]:
     )
 
 
+EAR = loop((112, -20), (127, -26), (137, -10), (134, 18), (127, 42), (116, 54), (108, 44))
+EAR_INNER = loop((119, -12), (129, -12), (130, 8), (124, 26), (117, 30), (121, 12))
+
+
 def _ears(p: Palette) -> tuple[Part, ...]:
-    rim = loop((112, -20), (127, -26), (137, -10), (134, 18), (127, 42), (116, 54), (108, 44))
-    inner = loop((119, -12), (129, -12), (130, 8), (124, 26), (117, 30), (121, 12))
     tone = mix(p["skin.base"], p["skin.shade"], 0.25)
     return (
-        *both(Part("ear", "ears", "ear", tone, (rim,))),
-        *both(Part("ear-inner", "ears", "ear", p["skin.deep"], (inner,), 0.55)),
+        *both(Part("ear", "ears", "ear", tone, (EAR,))),
+        *both(Part("ear-inner", "ears", "ear", p["skin.deep"], (EAR_INNER,), 0.55)),
         Part("earrings", "ears", "ear", p["fixed.gold"], (spot(-124, 55, 6, 6), spot(124, 55, 6, 6))),
         Part(
             "earrings-light", "ears", "ear", p["fixed.gold-light"], (spot(-126, 53, 2.1, 2.1), spot(122, 53, 2.1, 2.1))
@@ -221,6 +225,7 @@ def _face(p: Palette) -> tuple[Part, ...]:
         Part("face-hair-shadow", "face", "skin", p["skin.deep"], (cast,), 0.40, FACE),
         Part("face-forehead-light", "face", "skin", glow(p["skin.gleam"], 0.95, 0.5), (brow,), 0.5),
         Part("face-chin-light", "face", "mouth", glow(p["skin.gleam"], 0.95, 0.5), (spot(-4, 155, 24, 13),), 0.42),
+        *near_ear(p, mix(base, shade, 0.25), EAR, EAR_INNER),
     )
 
 
@@ -241,13 +246,14 @@ def _nose(p: Palette) -> tuple[Part, ...]:
         Part("nose-under", "nose", "nose", p["skin.deep"], (under,), 0.6),
         Part("nose-wings", "nose", "nose", p["skin.wing"], wings, 0.85),
         Part("nose-nostrils", "nose", "nose", p["skin.nostril"], (mirror(nostril), nostril), 0.9),
+        *nose_edges(p, ribbon((12, -24, 0.01), (9.5, 4, 1.8), (11, 36, 2.2), (14, 52, 2), (10, 64, 0.01))),
         *nose_light(p, ridge, tip, (0.5, 0.6)),
     )
 
 
 def _front(p: Palette) -> tuple[Part, ...]:
     under = (
-        loop((-34, -142, 1), (26, -122), (86, -80), (118, -30), (126, 30), (118, 104), (128, 168, 1), (128, 104),
+        loop((-34, -142, 1), (26, -122), (86, -80), (118, -30), (126, 30), (114, 104), (128, 168, 1), (128, 104),
             (136, 28), (127, -38), (93, -92), (30, -134)),
         loop((-34, -142, 1), (-72, -118), (-102, -86), (-116, -52), (-122, -18), (-129, 14), (-140, 44, 1),
             (-136, 4), (-128, -24), (-123, -58), (-107, -94), (-74, -126)),
@@ -349,7 +355,7 @@ WOMAN = FaceStyle(
     hair=(
         (-34, -205), (36, -213), (108, -184), (156, -108), (170, -18), (160, 62), (168, 134), (186, 196),
         (160, 272), (128, 168),
-        (118, 104), (126, 30), (118, -30), (26, -122), (-34, -142), (-72, -118), (-116, -52), (-129, 14),
+        (114, 104), (126, 30), (118, -30), (26, -122), (-34, -142), (-72, -118), (-116, -52), (-129, 14),
         (-152, 80), (-188, 226),
         (-160, -10), (-136, -142), (-88, -193),
     ),
