@@ -83,6 +83,7 @@ def mouth_parts(p: Palette, light: float) -> tuple[Part, ...]:
             inside,
         ),
         ("teeth-lower", p["fixed.teeth-low"], 1, inside),
+        ("teeth-gaps", p["fixed.ball-shade"], 0.22, inside),
         ("lip-lower", ramp((0, p["lips.lower-top"]), (0.6, p["lips.base"]), (1, p["lips.lower-edge"])), 1, ()),
         ("lip-light", p["lips.light"], light, ()),
         ("lip-upper", ramp((0, p["lips.upper"]), (1, p["lips.upper-edge"])), 1, ()),
@@ -128,11 +129,12 @@ def expression_lines(p: Palette, brow_y: float, nose_y: float, chin_y: float) ->
         ribbon((-9, brow_y + 30, 0.01), (-7, brow_y + 18, 2.4), (-10, brow_y + 5, 0.01)),
         ribbon((8, brow_y + 30, 0.01), (7, brow_y + 18, 2.2), (9, brow_y + 7, 0.01)),
     )
-    bridge = (
-        ribbon((-14, nose_y - 81, 0.01), (-6, nose_y - 76, 1.9), (4, nose_y - 77, 0.01)),
-        ribbon((13, nose_y - 70, 0.01), (5, nose_y - 66, 1.9), (-5, nose_y - 68, 0.01)),
-        ribbon((-12, nose_y - 60, 0.01), (-2, nose_y - 56, 1.8), (10, nose_y - 59, 0.01)),
-    )
+    bridge = [ribbon((-9, nose_y - 84, 0.01), (0, nose_y - 81.5, 2.0), (9, nose_y - 84.5, 0.01))]
+    bridge += [
+        ribbon((s * 4, nose_y - y, 0.01), (s * 10, nose_y - y + 1, 2.1), (s * reach, nose_y - y + 10, 0.01))
+        for s, rows in ((-1, ((73, 19), (58, 17))), (1, ((75, 18), (61, 20))))
+        for y, reach in rows
+    ]
     wings = [
         ribbon((s * 8, nose_y - 40, 0.01), (s * 14, nose_y - 32, 1.9), (s * 16, nose_y - 22, 0.01)) for s in (-1, 1)
     ]

@@ -144,7 +144,8 @@ def ball(x: float, y: float, head: Head) -> Depth:
 
 
 def brow(x: float, y: float, head: Head) -> Depth:
-    return Depth(relief(front(x) + 0.05), flatten=0.16)
+    """A little before the skin; its tail falls back less than the temple, or it would fold as its side turns away."""
+    return Depth(relief(front(min(abs(x), 0.86)) + 0.05), flatten=0.16)
 
 
 def mouth(x: float, y: float, head: Head) -> Depth:
@@ -172,7 +173,7 @@ def hair(x: float, y: float, head: Head) -> Depth:
     level = min(y, LOWEST)
     skull, edge = skin(x, y, head), contour(x, level, head)
     half = lookup(head.outline, level) + 0.08
-    aside, outside = smooth(0.90, 1.02, abs(x) / half), smooth(1.05, 1.28, abs(x) / half)
+    aside, outside = smooth(0.90, 1.02, abs(x) / half), smooth(1.0, 1.24, abs(x) / half)
     z, slide = mix(skull.z + 0.08, edge.z + 0.03, aside), mix(skull.slide, edge.slide, aside)
     t = max(outside, smooth(1.1, 1.5, -y))
     over = Depth(mix(z, ball, t), slide * (1 - t), flatten=skull.flatten * (1 - aside) * (1 - t))

@@ -248,14 +248,14 @@ def _nose(p: Palette) -> tuple[Part, ...]:
         Part("nose-under", "nose", "nose", p["skin.deep"], (under,), 0.6),
         Part("nose-wings", "nose", "nose", p["skin.wing"], wings, 0.9),
         Part("nose-nostrils", "nose", "nose", p["skin.nostril"], (mirror(nostril), nostril), 0.9),
-        *nose_edges(p, ribbon((14, -26, 0.01), (11, 4, 2), (13, 36, 2.4), (17, 53, 2.2), (12, 66, 0.01))),
+        *nose_edges(p, ribbon((12.5, -8, 0.01), (11, 10, 2), (13, 36, 2.4), (17, 53, 2.2), (12, 66, 0.01))),
         *nose_light(p, ridge, tip, (0.4, 0.5)),
     )
 
 
 def _front(p: Palette) -> tuple[Part, ...]:
     temple = loop(
-        (90, -150, 1), (112.5, -119), (125.5, -54), (125.5, 0), (119, 30, 1), (117, -14), (112, -56), (100, -86),
+        (90, -150, 1), (114, -121), (127.5, -57), (125, -6), (114, 26, 1), (115, -14), (112, -56), (100, -86),
         (84, -108),
         (72, -128, 1),
     )  # fmt: skip
@@ -279,7 +279,7 @@ def _front(p: Palette) -> tuple[Part, ...]:
         ribbon((-84, -204, 0.01), (-36, -226, 7), (16, -228, 0.01)),
     )
     fade = ramp(
-        (0, p["hair.back"]), (0.6, p["hair.side"]), (0.8, p["hair.side-low"], 0.9), (1, p["hair.side-low"], 0.25),
+        (0, p["hair.back"]), (0.6, p["hair.side"]), (0.8, p["hair.side-low"], 0.85), (1, p["hair.side-low"], 0),
     )  # fmt: skip
     mass = ramp((0, p["hair.top"]), (0.5, p["hair.base"]), (1, p["hair.low"]))
     return (

@@ -82,6 +82,14 @@ def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
         (left * 0.74, lerp(left_y, bottom[1][1], 0.7) - shown * 0.3),
     ]
     pen.loop("mouth-teeth-lower", [(spot[0], spot[1] + hidden, len(spot) > 2) for spot in lower])
+    for along, share in GAPS:
+        k = int(along > 0)
+        x, y = abs(along) * (left, right)[k], lerp(high + teeth, sag[k], share)
+        pen.ribbon("mouth-teeth-gaps", [(x, y - teeth - 8, 0.01), (x, y - 0.5 * teeth - 2, 1.1), (x, y - 0.6, 0.9)])
+
+
+GAPS = ((-0.42, 0.92), (-0.22, 0.3), (0.0, 0.0), (0.22, 0.3), (0.42, 0.92))
+"""Where the upper teeth part: along the half mouth, and how far their edge is there between middle's and side's."""
 
 
 def _lips(pen: Pen, style: MouthStyle, shape: Lips) -> None:

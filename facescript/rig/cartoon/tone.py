@@ -27,7 +27,7 @@ def tones(named: Columns) -> Columns:
     out["chin-lines"] = np.minimum(0.34 * chin, 0.4)
     turned = np.sin(np.radians(named["head.yaw"]))
     for side, near in (("left", -turned), ("right", turned)):
-        for part in ("ear-near", "ear-near-inner"):
-            out[f"{part}-{side}"] = step(0.04, 0.30, near)
+        out[f"ear-near-{side}"] = step(0.02, 0.36, near)
+        out[f"ear-near-inner-{side}"] = 0.6 * step(0.02, 0.36, near)
         out[f"nose-edge-{side}"] = 0.62 * step(0.20, 0.70, -near)
     return out

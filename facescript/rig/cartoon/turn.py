@@ -21,7 +21,7 @@ ORIGIN = 1.3
 """The head turns about a point this many d below the eyes' middle (Algorithm 2.1)."""
 
 SKULL = (-0.30, 0.115)
-"""y and z (d) of the middle of the skull, about which its silhouette is a ball."""
+"""y and z (d) of the middle of the skull, about which its silhouette is a ball; below, hair hangs as the head does."""
 
 LONG = 1.15
 """The skull is longer than wide by this: so wide it is from the side."""
@@ -29,7 +29,7 @@ LONG = 1.15
 CM = 1 / 6.3
 """A centimetre in d: the eyes are 6.3 cm apart."""
 
-TRUNK_YAW, TRUNK_ROLL = 0.16, 0.07
+TRUNK_YAW, TRUNK_ROLL = 0.22, 0.07
 """How much of the head's turn the shoulders take."""
 
 NECK_SLACK = 0.24
@@ -72,7 +72,7 @@ class Turn:
         self.flatten = column["flatten"]
         self.barrel = column["barrel"] * x[:, None]
         self.round_x = column["silhouette"] * x[:, None]
-        self.round_y = column["silhouette"] * (y[:, None] - SKULL[0] * d)
+        self.round_y = column["silhouette"] * np.minimum(y[:, None] - SKULL[0] * d, 0.0)
         self.follow = column["follow"]
         self.trunk = column["trunk"] * d
         self.free = np.flatnonzero(self.follow[:, 0] < 1)
