@@ -51,7 +51,7 @@ def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
     arch = lerp(0.84, 0.60, shape.round)
     part = (arch - 0.56) / 0.44
     edge = [
-        row[1] + (y - row[1]) * np.maximum(part, 0.0) ** 1.6 + 0.4 for row, y in ((top[1], left_y), (top[3], right_y))
+        row[1] + (y - row[1]) * np.maximum(part, 0.0) ** 1.6 - 0.6 for row, y in ((top[1], left_y), (top[3], right_y))
     ]
     sag = [lerp(top[k][1] + teeth * 0.8, high + teeth * 0.92, shape.round) for k in (1, 3)]
     pen.loop(
