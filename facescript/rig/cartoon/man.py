@@ -19,7 +19,7 @@ from facescript.rig.cartoon.common import (
 )
 from facescript.rig.cartoon.eye import EyeStyle
 from facescript.rig.cartoon.lips import MouthStyle
-from facescript.rig.cartoon.outline import Part, both, disc, loop, mirror, ribbon, spot
+from facescript.rig.cartoon.outline import Part, both, loop, mirror, ribbon, spot
 from facescript.rig.cartoon.palette import Palette, mix
 from facescript.rig.cartoon.style import BrowStyle, FaceStyle
 from facescript.rig.picture import Radial, Stop
@@ -206,9 +206,9 @@ def _ears(p: Palette) -> tuple[Part, ...]:
 def _face(p: Palette) -> tuple[Part, ...]:
     base, shade = p["skin.base"], p["skin.shade"]
     skin = Radial((Stop(0, p["skin.light"]), Stop(0.55, base), Stop(1, mix(base, shade, 0.5))), (0.38, 0.42), 0.72)
-    growth = Radial(
-        (Stop(0, p["skin.stubble"], 0.30), Stop(0.5, p["skin.stubble"], 0.25), Stop(1, p["skin.stubble"], 0))
-    )
+    fade = (0, 0.3), (0.48, 0.26), (0.8, 0), (1, 0)
+    growth = Radial(tuple(Stop(at, p["skin.stubble"], strength) for at, strength in fade))
+    beard = loop((256, 120), (0, 332), (-256, 120), (0, 12))
     side = loop(
         (140, -120, 1), (106, -60), (104, 0), (107, 40), (97, 96), (76, 140), (40, 170), (0, 190), (60, 210),
         (150, 120),
@@ -222,7 +222,7 @@ def _face(p: Palette) -> tuple[Part, ...]:
     plane = ramp((0, shade, 0), (1, shade, 0.9), line=ACROSS)
     return (
         Part("face-skin", "face", "contour", skin, (face_outline(OUTLINE),)),
-        Part("face-stubble", "face", "skin", growth, (disc(0, 165, 142, 142),), 1, FACE),
+        Part("face-stubble", "face", "skin", growth, (beard,), 1, FACE),
         Part("face-side", "face", "skin", plane, (side,), clip=FACE),
         Part("face-hair-shadow", "face", "skin", p["skin.deep"], (cast,), 0.42, FACE),
         Part("face-forehead-light", "face", "skin", glow(p["skin.gleam"], 0.95, 0.5), (brow,), 0.55),

@@ -85,7 +85,7 @@ def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
     for along, share in GAPS:
         k = int(along > 0)
         x, y = abs(along) * (left, right)[k], lerp(high + teeth, sag[k], share)
-        pen.ribbon("mouth-teeth-gaps", [(x, y - teeth - 8, 0.01), (x, y - 0.5 * teeth - 2, 1.1), (x, y - 0.6, 0.9)])
+        pen.ribbon("mouth-teeth-gaps", [(x, y - teeth - 8, 0.01), (x, y - 0.4 * teeth - 2, 1.2), (x, y - 0.4, 0.01)])
 
 
 GAPS = ((-0.42, 0.92), (-0.22, 0.3), (0.0, 0.0), (0.22, 0.3), (0.42, 0.92))

@@ -23,7 +23,7 @@ def tones(named: Columns) -> Columns:
     )
     out["brow-furrow"] = np.minimum(0.50 * knit + 0.10 * nose, 0.6)
     out["forehead-lines"] = np.minimum(0.22 * brow_in + 0.12 * brow_out + 0.34 * brows, 0.36)
-    out["nose-wrinkles"] = np.minimum(0.50 * nose, 0.55)
+    out["nose-wrinkles"] = np.minimum(0.44 * nose, 0.50)
     out["chin-lines"] = np.minimum(0.34 * chin, 0.4)
     turned = np.sin(np.radians(named["head.yaw"]))
     for side, near in (("left", -turned), ("right", turned)):
