@@ -159,7 +159,7 @@ def under_jaw(x: float, y: float, head: Head) -> Depth:
 
 
 def ear(x: float, y: float, head: Head) -> Depth:
-    return Depth(-0.02 - 0.30 * smooth(1.02, 1.25, abs(x)))
+    return Depth(-0.12 - 0.20 * smooth(1.02, 1.25, abs(x)))
 
 
 def hair(x: float, y: float, head: Head) -> Depth:
