@@ -28,7 +28,8 @@ class Film:
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """A face: what draws it, its voice, its life, where it stands (None: in the row), its size, its looks by name."""
+    """A face: what draws it, its voice, its life, where it stands (None: in the row), its size, its looks by name, and
+    whether its hair moves with its head or is `still`."""
 
     name: str
     kind: str
@@ -39,6 +40,7 @@ class Face:
     place: PicturePlace | None = None
     size: float = 1.0
     looks: tuple[tuple[str, str], ...] = ()
+    hair: Literal["", "still"] = ""
 
     @property
     def seen(self) -> bool:

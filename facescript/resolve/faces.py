@@ -19,7 +19,7 @@ from facescript.resolve.speech import spoken_with, voice_named
 from facescript.resolve.suggest import nearest, replace
 from facescript.resolve.units import SHARE
 from facescript.resolve.words import FACE, KINDS, LATER_KINDS, LOOKS
-from facescript.syntax.tree import Colour, Declaration, Name, Phrase
+from facescript.syntax.tree import Colour, Declaration, Name, Phrase, Word
 from facescript.text import Span
 
 ONLY = "somebody"
@@ -54,6 +54,7 @@ def face(project: Project, node: Declaration) -> Face:
         line.try_place(),
         line.try_size(),
         line.looks(),
+        line.hair(),
     )
 
 
@@ -154,6 +155,8 @@ class _Settings:
         found = []
         for name in LOOKS:
             words = self.line.parts.get(name)
+            if name == "hair" and words is not None:
+                words = tuple(word for word in words if not _is_still(word)) or None
             if words is None:
                 continue
             if len(words) == 1 and isinstance(words[0], Colour):
@@ -162,3 +165,11 @@ class _Settings:
                 span = self.line.spans[name]
                 self.project.report("FS314", span, text=span.text, advice="such as `#5b3a22`")
         return tuple(found)
+
+    def hair(self) -> Literal["", "still"]:
+        """Whether the hair is `still`: the word stands by itself or beside its colour."""
+        return "still" if any(map(_is_still, self.line.parts.get("hair", ()))) else ""
+
+
+def _is_still(word: Word) -> bool:
+    return isinstance(word, Name) and word.text == "still"

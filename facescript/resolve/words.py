@@ -136,7 +136,8 @@ FACE: dict[str, Modifier] = {
         _valued("size", "percentage", "how large it is drawn"),
         _valued("at", "place", "where its middle is, in percent of the picture from the picture's centre"),
         _valued("gaze", "gaze", "`eye-mover` or `head-mover`"),
-        *(_valued(look, "colour", f"the colour of its {look}") for look in ("hair", "skin", "eyes", "lips", "clothes")),
+        _valued("hair", "colour", "the colour of its hair; `still` where it does not move with the head"),
+        *(_valued(look, "colour", f"the colour of its {look}") for look in ("skin", "eyes", "lips", "clothes")),
     ),
 }
 """What a face's definition may say after its kind, on its line or below."""
@@ -190,7 +191,7 @@ _BLOCKS = (
 )
 _DEFINERS = "action expression face film let life scene target use"
 _GIVEN = "all away camera down left neutral right up"
-_CHANNELS = "brow cheek chin eye forehead gaze head lid lip mouth nose pupil"
+_CHANNELS = "brow cheek chin ear eye forehead gaze head lid lip mouth muzzle nose pupil"
 
 WORDS: frozenset[str] = frozenset(
     {*VERBS, *DIRECT, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}
