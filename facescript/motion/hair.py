@@ -35,7 +35,7 @@ BLOCK = 1200
 KEPT = 4
 """Blocks that are kept."""
 
-RATES = (1.5, 2.5, 4.0)
+RATES = (1.5, 2.4, 3.4)
 """How often slow, middle and quick locks would swing, Hz."""
 
 DAMPING = 0.3
@@ -47,7 +47,7 @@ ROLL = 0.5
 SHIFT = 7.6
 """Degrees of turn that a shift of 1 cm is like, at 1.2 eye distances from the neck's axis."""
 
-MOST = 12.0
+MOST = 10.0
 """A lock trails less than this, deg, whatever the head does: a cut or a jump of the head does not fling it."""
 
 LEAST = 0.05

@@ -15,6 +15,7 @@ from facescript.rig.cartoon.outline import Part
 from facescript.rig.cartoon.palette import Palette
 from facescript.rig.cartoon.pen import Floats, Pen
 from facescript.rig.cartoon.style import FaceStyle
+from facescript.rig.cartoon.sway import Sway
 from facescript.rig.cartoon.tone import tones
 from facescript.rig.cartoon.turn import CM, Pose, Turn
 from facescript.rig.picture import Picture, Shape
@@ -44,6 +45,9 @@ class CartoonRig:
         depths = [LAWS[law](x / style.d, y / style.d, head) for (_, law), (x, y) in lying]
         self._turn = Turn(self._table.x, self._table.y, depths, style.d)
         self._effects = effects(pulls(style), [(part, law, x, y) for (part, law), x, y in spots])
+        hair = {part.id for part in parts if part.group.startswith("hair")}
+        rows = np.flatnonzero([part in hair for part, _ in self._table.owner])
+        self._sway = Sway.of(rows, self._table.x, self._table.y, style.d)
         self._opacity = np.array([part.opacity for part in parts])
         self._slot = {part.id: k for k, part in enumerate(parts)}
         self._groups = {group: self._block(group, parts) for group in ("eye-left", "eye-right", "mouth")}
@@ -108,6 +112,7 @@ class CartoonRig:
             signal = named[effect.signal]
             x[effect.rows] += effect.dx * signal
             y[effect.rows] += effect.dy * signal
+        self._sway.move(x, y, named)
         forward[self._groups["mouth"]] += PUSHED_OUT * named["mouth.round"]
         self._place_eyes(x, y, named)
         x, y = self._turn(x, y, forward, Pose.of(named, self.style.d))
