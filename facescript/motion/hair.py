@@ -50,8 +50,8 @@ SHIFT = 7.6
 MOST = 10.0
 """A lock trails less than this, deg, whatever the head does: a cut or a jump of the head does not fling it."""
 
-LEAST = 0.05
-"""What a lock trails less than, deg, cannot be seen, and is none."""
+LEAST = 0.3
+"""By so much, deg, a lock trails less: what is not more than half a pixel at a tip is none, and costs no key frame."""
 
 _S: States = np.array([2.0 * pi * rate * complex(-DAMPING, sqrt(1.0 - DAMPING * DAMPING)) for rate in RATES])
 _TURNS: list[complex] = np.exp(_S * STEP).tolist()

@@ -46,6 +46,7 @@ def test_a_table_shows_what_its_face_has() -> None:
     drawn = dog.pose(2.0)
     assert (drawn["ear.left"], drawn["muzzle.left"], drawn["muzzle.right"]) == pytest.approx((-0.6, 0.4, 0.0))
     assert 0.8 < drawn["ear.right"] < 0.9
+    assert of_kind(score([show(0.5, feeling)]), "gorilla").pose(2.0)["muzzle.left"] == pytest.approx(0.4)
     woman = perform(score([show(0.5, feeling)]))
     assert woman.names == NAMES
     assert np.array_equal(woman.sample(times), perform(score([show(0.5, human)])).sample(times))

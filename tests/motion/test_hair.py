@@ -109,6 +109,16 @@ def test_a_scene_begins_with_hair_at_rest() -> None:
     assert found[0].any() and not found[1:].any()
 
 
+def test_what_comes_after_a_cut_does_not_show_before_it() -> None:
+    """Not even in the last step of the grid, which ends after the cut."""
+
+    def cut(times: Floats) -> Floats:
+        return np.where(times[:, None] < 1.203, turned(times), 90.0)
+
+    times = grid(1.203, 1000.0)
+    assert np.array_equal(Hair(cut, [(0.0, 1.203)]).sample(times), Hair(turned, [(0.0, 1.203)]).sample(times))
+
+
 def test_hair_may_be_still() -> None:
     played = score([NOD, TURN], 8.0)
     (face,) = played.faces
