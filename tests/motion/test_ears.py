@@ -12,15 +12,20 @@ from performing import Floats, add, grid, score, show
 from facescript.ir.acts import Life
 from facescript.motion.blend import ear_limit
 from facescript.motion.perform import perform
-from facescript.performance.channels import NAMES, OWN, channels_of, kinds_with
+from facescript.performance.channels import NAMES, OWN, channels_of
 from facescript.performance.performance import Performance
+from facescript.resolve.kinds.library import kind_names, kinds_with, library_head
 from facescript.schedule.score import Score
 
 EARS = ("ear.left", "ear.right")
 
 
+HAS = {kind: library_head(kind).channels for kind in kind_names()}
+
+
 def of_kind(played: Score, kind: str) -> Performance:
-    return perform(replace(played, faces=tuple(replace(face, kind=kind) for face in played.faces)))
+    faces = tuple(replace(face, kind=kind, parts=HAS[kind]) for face in played.faces)
+    return perform(replace(played, faces=faces))
 
 
 def flicked(kind: str, what: Life, duration: float = 600.0) -> dict[str, Floats]:
@@ -29,9 +34,9 @@ def flicked(kind: str, what: Life, duration: float = 600.0) -> dict[str, Floats]
 
 
 def test_which_kind_has_what() -> None:
-    assert channels_of("woman") == channels_of("man") == NAMES
-    assert channels_of("dog") == channels_of("rodent") == (*NAMES, *(channel.name for channel in OWN))
-    assert channels_of("gorilla") == (*NAMES, "muzzle.left", "muzzle.right")
+    assert channels_of(HAS["woman"]) == channels_of(HAS["man"]) == NAMES
+    assert channels_of(HAS["dog"]) == channels_of(HAS["rodent"]) == (*NAMES, *(channel.name for channel in OWN))
+    assert channels_of(HAS["gorilla"]) == (*NAMES, "muzzle.left", "muzzle.right")
     assert kinds_with("ear.left") == ("dog", "rodent") and kinds_with("lid.left") == ()
 
 
@@ -41,7 +46,7 @@ def test_a_table_shows_what_its_face_has() -> None:
     human = {"cheek.lower.left": 0.5}
     times = grid(4.0, 30.0)
     dog = of_kind(score([show(0.5, feeling)]), "dog")
-    assert dog.names == channels_of("dog")
+    assert dog.names == channels_of(HAS["dog"])
     assert [channel.name for channel in dog.channels] == list(dog.names)
     drawn = dog.pose(2.0)
     assert (drawn["ear.left"], drawn["muzzle.left"], drawn["muzzle.right"]) == pytest.approx((-0.6, 0.4, 0.0))
@@ -55,7 +60,7 @@ def test_a_table_shows_what_its_face_has() -> None:
 def test_two_faces_have_each_their_own() -> None:
     played = score()
     (ada,) = played.faces
-    both = replace(played, faces=(ada, replace(ada, name="rex", kind="gorilla")))
+    both = replace(played, faces=(ada, replace(ada, name="rex", kind="gorilla", parts=HAS["gorilla"])))
     names = perform(both).names
     assert len(names) == 2 * len(NAMES) + 2
     assert "rex.muzzle.left" in names and "ada.muzzle.left" not in names and "rex.ear.left" not in names
