@@ -5,15 +5,30 @@ from __future__ import annotations
 import numpy as np
 
 from facescript.rig.cartoon.lips import SIDES, Lips, MouthState, MouthStyle, lips
+from facescript.rig.cartoon.muzzle import draw_inside, draw_line, draw_muzzle, muzzle_lips, set_depths
 from facescript.rig.cartoon.pen import Number, Pen, Spot, lerp, step
 
 
 def draw_mouth(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
     """Draw all parts of the mouth and the folds beside it into `pen`; returns where the lips are."""
+    if style.muzzle:
+        return _draw_animal(pen, style, state)
     shape = lips(style, state)
     _inside(pen, style, state, shape)
     _lips(pen, style, shape)
     _line(pen, style, shape)
+    _folds(pen, style, state, shape)
+    return shape
+
+
+def _draw_animal(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
+    """The same parts and the muzzle, round an animal's lips."""
+    shape = muzzle_lips(style, state)
+    draw_inside(pen, style, state, shape)
+    _lips(pen, style, shape)
+    draw_line(pen, style, shape)
+    draw_muzzle(pen, style, state, shape)
+    set_depths(pen, style, tuple(pen.loops))
     _folds(pen, style, state, shape)
     return shape
 
