@@ -22,7 +22,8 @@ class EyeStyle:
     """One face's eye, px: half width, height above and below, corners, iris, crease, line and lashes.
 
     `top` and `bottom` are how much of the height the lids keep a third from the inner corner and a third from the
-    outer; `sink` how far the corners of a shut eye go down; `hollow` how deep the shade round the eye reaches; `rim`
+    outer; `knit` how many times as far as a human's lowered brows press the upper lid down; `sink` how far the corners
+    of a shut eye go down; `hollow` how deep the shade round the eye reaches; `rim`
     how far a dark ring stands out around the lids; `pupil` its part of the iris; `curve` how far the lids fall back
     towards the corners and `slant` how much farther the outer corner lies back than the inner.
     """
@@ -43,6 +44,7 @@ class EyeStyle:
     """Each lash: where along the eye it grows, its length, its angle above the horizontal outwards (deg)."""
     top: tuple[float, float] = (0.70, 0.80)
     bottom: tuple[float, float] = (0.62, 0.70)
+    knit: float = 1.0
     sink: float = 0.0
     hollow: float = 19.0
     rim: float = 0.0
@@ -112,7 +114,7 @@ def _lids(style: EyeStyle, d: float, side: int, state: EyeState) -> _Lids:
     down: tuple[Number, ...] = (nook, style.down * near, style.down, style.down * far, corner)
     lower: list[Number] = [y - lift * k for y, k in zip(down, (0, 0.7, 1.0, 0.8, 0), strict=True)]
     rest = (style.inner, -style.up * style.top[0], -style.up, -style.up * style.top[1], style.outer)
-    press = (0.0, 3.0, 1.6, 0.2, 0.0)
+    press = tuple(style.knit * px for px in (0.0, 3.0, 1.6, 0.2, 0.0))
     upper: list[Number] = []
     for i in range(5):
         closed = lower[i] + (0, 0.4, 1.0, 0.6, 0)[i]

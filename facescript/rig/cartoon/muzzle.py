@@ -56,11 +56,11 @@ def _corner(
     pursed = style.purse * np.clip(side.pucker, 0.0, 1.0) * (1 - 0.6 * state.round) + 0.12 * state.round
     half = wide * (1 + 0.13 * side.smile + 0.13 * side.stretch + 0.03 * side.frown - 0.06 * side.press - pursed)
     half = half + style.mw0 * state.wide
-    least = 0.36 * wide
+    least = 0.42 * wide
     short = np.maximum(least - half, 0.0)
     half = half + short - 0.5 * least * np.tanh(short / (0.5 * least))
     y = style.y + style.corner - style.smile * side.smile + style.frown * side.frown - 4.0 * side.nose
-    y = y - 2.0 * side.cheek - 0.3 * rise - 1.5 * state.chin + gap * lerp(0.16, 0.5, puckered)
+    y = y - 2.0 * side.cheek + 0.5 * style.frown * side.press - 0.3 * rise - 1.5 * state.chin + gap * lerp(0.16, 0.5, puckered)
     return SIDES[k] * half, y + 2.0 * puckered + 2.0 * state.jaw
 
 
@@ -78,11 +78,11 @@ def _lobe(
     hangs = style.y - lerp(0.5, 1.1, apart) * lift - 8.0 * side.smile - rise - 3.0 * state.chin - 2.0 * side.press
     hangs = hangs + 2.0 * state.jaw
     hangs = lerp(hangs, corner_y, 0.12 * side.smile + 0.28 * np.clip(side.frown, 0.0, 1.0) + 0.12 * side.stretch)
-    top = lerp(hangs, corner_y + 0.78 * (middle - corner_y), puckered)
+    top = lerp(hangs, corner_y + 0.80 * (middle - corner_y), puckered)
     fills = 0.6 * style.tubercle * step(0.0, 40.0, gap)
-    parts = lerp(0.85 * gap + np.minimum(fills, 0.0), 0.76 * gap, puckered)
+    parts = lerp(0.85 * gap + np.minimum(fills, 0.0), 0.80 * gap, puckered)
     parts = parts + apart * (6.0 * side.lower + 0.2 * lift)
-    return corner_x * lerp(LOBE, 0.70, puckered), top, top + 0.3 + np.maximum(parts, 0.0)
+    return corner_x * lerp(LOBE, 0.66, puckered), top, top + 0.3 + np.maximum(parts, 0.0)
 
 
 def _outer(
@@ -121,7 +121,7 @@ def draw_inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> 
     _tongue(pen, style, state, shape)
     bare = np.clip(1.6 * state.teeth, 0.0, 1.0)
     narrow = 1 - 0.3 * shape.round
-    back = -8.0 * (1 - bare) - 14.0 * shape.round - 6.0 * state.mean("press")
+    back = -8.0 * (1 - bare) - 22.0 * shape.round - 6.0 * state.mean("press")
     if style.teeth_upper:
         pen.loop("mouth-teeth-upper", _row(style.teeth_upper, narrow, back, -34.0))
     ahead = shape.drop + 6.0 * (1 - bare) + 10.0 * shape.round
@@ -154,8 +154,8 @@ def draw_line(pen: Pen, style: MouthStyle, shape: Lips) -> None:
     (left, left_y), (right, right_y) = shape.corner
     top = shape.inner_upper
     width = style.line * (1 - 0.2 * shape.apart)
-    reach = 9.0 * (1 - 0.6 * shape.round)
-    rise = style.tick * (1 - 0.8 * shape.round)
+    reach = 9.0 * (1 - 0.9 * shape.round)
+    rise = style.tick * (1 - 0.9 * shape.round)
     pen.ribbon(
         "mouth-line",
         [
