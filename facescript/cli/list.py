@@ -10,7 +10,8 @@ from pathlib import Path
 from facescript.backends.registry import backends
 from facescript.diagnostics.model import Diagnostics
 from facescript.performance.channels import CHANNELS, MUSCLES
-from facescript.resolve.words import KINDS, VERBS, WORDS
+from facescript.resolve.kinds.library import kind_names
+from facescript.resolve.words import UNSEEN, VERBS, WORDS
 from facescript.speech.voicebox import list_voices
 from facescript.syntax.parser import parse
 from facescript.syntax.tree import ActionDefinition, Declaration, ExpressionDefinition, Item
@@ -82,7 +83,7 @@ def _lives() -> Iterable[Row]:
 
 
 def _faces() -> Iterable[Row]:
-    for kind in KINDS:
+    for kind in (*kind_names(), UNSEEN):
         yield kind, FACES[kind]
 
 

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from pydantic.json_schema import GenerateJsonSchema
 from pydantic_core import CoreSchema, SchemaValidator, core_schema
 
-from facescript.ir import acts, play, values
+from facescript.ir import acts, kind, play, values
 from facescript.ir.play import Play
 from facescript.text import Source, Span
 
@@ -132,7 +132,7 @@ def _measure(value: Any, widths: dict[str, list[int]]) -> None:
 
 _CLASSES: dict[str, type] = {
     found.__name__: found
-    for module in (values, acts, play)
+    for module in (values, acts, kind, play)
     for found in vars(module).values()
     if isinstance(found, type) and dataclasses.is_dataclass(found) and found.__module__ == module.__name__
 }

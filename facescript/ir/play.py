@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from facescript.ir.acts import Life, Sequence, SetBackground, View, Voice
+from facescript.ir.kind import Kind
 from facescript.ir.values import Amount, PicturePlace, Point
 from facescript.text import Span
 
@@ -28,7 +29,10 @@ class Film:
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """A face: what draws it, its voice, its life, where it stands (None: in the row), its size, its looks by name."""
+    """A face: its kind, its voice, its life, where it stands (None: in the row), its size, its looks by name.
+
+    `drawn` is the kind itself where the library has none of that name.
+    """
 
     name: str
     kind: str
@@ -39,6 +43,7 @@ class Face:
     place: PicturePlace | None = None
     size: float = 1.0
     looks: tuple[tuple[str, str], ...] = ()
+    drawn: Kind | None = None
 
     @property
     def seen(self) -> bool:

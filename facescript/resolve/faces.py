@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Literal
 
 from facescript.ir.acts import Life, Voice
+from facescript.ir.kind import Kind
 from facescript.ir.play import Face
 from facescript.ir.values import PicturePlace
+from facescript.resolve.kinds.kind import kind as kind_of
+from facescript.resolve.kinds.library import kind_names, library_head
 from facescript.resolve.lines import Line, segments
 from facescript.resolve.lives import KINDS as KNOBS
-from facescript.resolve.lives import USUAL, preset
+from facescript.resolve.lives import USUAL as CALM
+from facescript.resolve.lives import preset
 from facescript.resolve.names import Definition
 from facescript.resolve.places import picture_place
 from facescript.resolve.project import Project, Refused
@@ -18,7 +23,7 @@ from facescript.resolve.scope import GLOBAL
 from facescript.resolve.speech import spoken_with, voice_named
 from facescript.resolve.suggest import nearest, replace
 from facescript.resolve.units import SHARE
-from facescript.resolve.words import FACE, KINDS, LATER_KINDS, LOOKS
+from facescript.resolve.words import FACE, LOOKS, UNSEEN, USUAL
 from facescript.syntax.tree import Colour, Declaration, Name, Phrase
 from facescript.text import Span
 
@@ -33,17 +38,17 @@ def default_face(project: Project, span: Span) -> Face:
     node = Declaration("face", Name(ONLY, span), (), (), span)
     project.names.written.setdefault(ONLY, Definition("face", ONLY, node, span, own=False))
     try:
-        life = preset(project, USUAL, span)
+        life = preset(project, CALM, span)
     except Refused:
-        life = Life(USUAL)
-    return Face(ONLY, "woman", Voice(), life, span)
+        life = Life(CALM)
+    return Face(ONLY, USUAL, _usual_voice(USUAL, None), life, span)
 
 
 def face(project: Project, node: Declaration) -> Face:
     """The face of a definition. A fault in one of its lines is reported and the line left out."""
-    kind = _kind(project, node)
+    kind, drawn = _kind(project, node)
     line = _Settings(project, node)
-    voice = line.try_voice()
+    voice = line.try_voice(_usual_voice(kind, drawn))
     return Face(
         node.name.text,
         kind,
@@ -54,25 +59,46 @@ def face(project: Project, node: Declaration) -> Face:
         line.try_place(),
         line.try_size(),
         line.looks(),
+        drawn,
     )
 
 
-def _kind(project: Project, node: Declaration) -> str:
-    """`woman`, `man` or `unseen`; what only later work draws, and slips, are reported and a woman stands in."""
+def _kind(project: Project, node: Declaration) -> tuple[str, Kind | None]:
+    """A kind of the library, `unseen`, or one that the script defines; for a slip, which is reported, the usual one."""
     words = node.phrases[0].words if node.phrases else ()
     word = words[0] if words else None
-    if isinstance(word, Name) and word.text in KINDS:
-        return word.text
+    text = word.text if isinstance(word, Name) else ""
+    defined = project.names.written.get(text)
+    if defined is not None and defined.kind == "kind" and isinstance(defined.node, Declaration):
+        defined.used = True
+        return text, _drawn(project, defined.node)
+    known = (*kind_names(), UNSEEN)
+    if text in known:
+        return text, None
     span = word.span if word is not None else node.name.span
-    if isinstance(word, Name) and word.text in LATER_KINDS:
-        project.report("FS805", span, kind=word.text)
-    else:
-        text = word.span.text if word is not None else ""
-        candidate = nearest(text, (*KINDS, *LATER_KINDS))
-        fixes = (replace(span, candidate),) if candidate else ()
-        clause = f"did you mean `{candidate}`?" if candidate else "there are `woman`, `man` and `unseen`."
-        project.report("FS329", span, fixes=fixes, name=text or node.name.text, what="kind of face", meant=clause)
-    return KINDS[0]
+    candidate = nearest(span.text, (*known, *project.names.known("kind")))
+    fixes = (replace(span, candidate),) if candidate and word is not None else ()
+    there = ", ".join(f"`{kind}`" for kind in known[:-1])
+    clause = f"did you mean `{candidate}`?" if candidate else f"there are {there} and `{UNSEEN}`."
+    project.report("FS329", span, fixes=fixes, name=span.text, what="kind of face", meant=clause)
+    return USUAL, None
+
+
+def _drawn(project: Project, node: Declaration) -> Kind | None:
+    """A kind of the script's own, read once; None where it cannot be drawn."""
+    name = node.name.text
+    if name not in project.kinds:
+        project.kinds[name] = None
+        with suppress(Refused):
+            project.kinds[name] = kind_of(project, node)
+    return project.kinds[name]
+
+
+def _usual_voice(kind: str, drawn: Kind | None) -> Voice:
+    """The voice of a face that names none."""
+    if drawn is not None:
+        return drawn.head.voice or Voice()
+    return (library_head(kind).voice if kind in kind_names() else None) or Voice()
 
 
 class _Settings:
@@ -93,8 +119,9 @@ class _Settings:
                 except Refused:
                     continue
 
-    def try_voice(self) -> Voice:
-        voice = Voice()
+    def try_voice(self, usual: Voice) -> Voice:
+        """The voice; `usual` where none is named."""
+        voice = usual
         try:
             if "voice" in self.line.parts:
                 voice = voice_named(self.project, self.line.parts["voice"], self.line.spans["voice"])
@@ -106,7 +133,7 @@ class _Settings:
         words = self.line.parts.get("life")
         try:
             if words is None:
-                base = preset(self.project, USUAL, self.node.span)
+                base = preset(self.project, CALM, self.node.span)
             elif len(words) == 1 and isinstance(words[0], Name):
                 base = preset(self.project, words[0].text, words[0].span)
             else:
@@ -120,7 +147,7 @@ class _Settings:
                     tuned[name] = amount
             return Life(base.name, tuple(tuned.items()))
         except Refused:
-            return Life(USUAL)
+            return Life(CALM)
 
     def try_gaze(self) -> Literal["", "eye-mover", "head-mover"]:
         try:

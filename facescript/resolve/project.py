@@ -10,6 +10,7 @@ from typing import Any
 
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostics, Fix, Related, Severity
+from facescript.ir.kind import Kind
 from facescript.ir.play import Face, Film, Target
 from facescript.ir.values import Driver, Mark
 from facescript.resolve.names import Definition, Names
@@ -57,6 +58,7 @@ class Project:
     names: Names
     film: Film = field(default_factory=Film)
     faces: dict[str, Face] = field(default_factory=dict)
+    kinds: dict[str, Kind | None] = field(default_factory=dict)
     targets: dict[str, Target | None] = field(default_factory=dict)
     persons_arrive: bool = False
     spoilt: frozenset[str] = frozenset()

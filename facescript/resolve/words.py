@@ -153,8 +153,9 @@ FILM: dict[str, Modifier] = _rows(
 )
 
 EASES = ("linear", "smooth", "in", "out", "in-out")
-KINDS = ("woman", "man", "unseen")
-LATER_KINDS = ("dog", "rodent", "gorilla")
+USUAL, UNSEEN = "woman", "unseen"
+"""The kind of a face of which nothing is said, and that of one which is only heard."""
+
 PARTS = ("eyes", "mouth")
 DIRECTIONS = ("left", "right", "up", "down")
 
@@ -188,7 +189,7 @@ SYNONYMS = {
 _BLOCKS = (
     "at choose event film forever in on people person repeat resume restart stop times to together until use when with"
 )
-_DEFINERS = "action expression face film let life scene target use"
+_DEFINERS = "action expression face film kind let life scene target use"
 _GIVEN = "all away camera down left neutral right up"
 _CHANNELS = "brow cheek chin eye forehead gaze head lid lip mouth nose pupil"
 

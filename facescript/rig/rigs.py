@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 from facescript.ir.play import Face
+from facescript.resolve.kinds.library import library_kind
 from facescript.rig.cartoon.face import CartoonRig
-from facescript.rig.cartoon.man import MAN
 from facescript.rig.cartoon.palette import tinted
-from facescript.rig.cartoon.style import FaceStyle
-from facescript.rig.cartoon.woman import WOMAN
-from facescript.rig.picture import Rig
-
-STYLES: dict[str, FaceStyle] = {style.name: style for style in (WOMAN, MAN)}
-"""The faces that can be drawn, by kind."""
+from facescript.rig.cartoon.style import FaceStyle, style_of
 
 LOOKS = ("hair", "skin", "eyes", "lips", "clothes")
 """What of a face takes a colour."""
 
 
-def rig(face: Face) -> Rig:
-    """The rig of a face; its looks re-tint whole families of colours. Raises KeyError for an unknown kind."""
-    style = STYLES[face.kind]
+def style(face: Face) -> FaceStyle:
+    """How a face is drawn; its looks re-tint whole families of colours. Raises KeyError for an unknown kind."""
+    kind = face.drawn or library_kind(face.kind)
     looks = {name: colour for name, colour in face.looks if name in LOOKS}
-    return CartoonRig(style, tinted(style.palette, looks))
+    return style_of(kind, tinted(dict(kind.colours), looks), {}, {})
+
+
+def rig(face: Face) -> CartoonRig:
+    """The rig of a face. Raises KeyError for an unknown kind."""
+    return CartoonRig(style(face))

@@ -12,7 +12,7 @@ from facescript.ir.play import Face, Film
 from facescript.performance.performance import REST, Frames
 from facescript.rig.cartoon.backdrop import backdrop
 from facescript.rig.picture import Contour, Paint, Picture, Shape
-from facescript.rig.rigs import STYLES, rig
+from facescript.rig.rigs import rig, style
 from facescript.space.layout import Standing
 
 Floats = NDArray[np.float64]
@@ -23,8 +23,7 @@ BACKDROP = "background"
 
 def scenery(face: Face) -> tuple[tuple[Shape, ...], Picture]:
     """The shapes behind a face's bust, and their one frame."""
-    style = STYLES[face.kind]
-    return backdrop(style, style.palette)
+    return backdrop(style(face))
 
 
 class Actor:

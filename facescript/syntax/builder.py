@@ -168,6 +168,9 @@ class Builder:
     def life(self, children: list[Any], start: int, end: int) -> tree.Declaration:
         return self._declaration("life", children, start, end)
 
+    def kind(self, children: list[Any], start: int, end: int) -> tree.Declaration:
+        return self._declaration("kind", children, start, end)
+
     def target(self, children: list[Any], start: int, end: int) -> tree.Declaration:
         return self._declaration("target", children, start, end)
 

@@ -64,7 +64,6 @@ def test_faces() -> None:
 @pytest.mark.parametrize(
     ("line", "code"),
     [
-        ("= dog", "FS805"),
         ("= womn", "FS329"),
         ("= woman, voice english", "FS326"),
         ("= woman, voice en-us female loud", "FS312"),

@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.ir.acts import Life, Voice
+from facescript.ir.play import Face
 from facescript.performance.channels import INDEX, NAMES
 from facescript.performance.performance import REST
+from facescript.text import Source, Span
 
 Floats = NDArray[np.float64]
 
@@ -27,6 +30,12 @@ RANGES: dict[str, tuple[float, float]] = {
     "mouth.lower": (-0.2, 0.8),
 }
 """The ranges channels move in, where the unit does not say it."""
+
+
+def plain(kind: str, **looks: str) -> Face:
+    """A face of a kind, in its usual looks but for those given."""
+    here = Span(Source("here.face", ""), 0, 0)
+    return Face("ada", kind, Voice(), Life("still"), here, looks=tuple(looks.items()))
 
 
 def span(name: str) -> tuple[float, float]:

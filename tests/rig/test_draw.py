@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 from facescript.performance.channels import NAMES
 from facescript.performance.performance import REST
-from facescript.rig.cartoon.face import CartoonRig
-from facescript.rig.rigs import STYLES
-from rig.poses import mirrored, pose, some, span, sweep
+from facescript.resolve.kinds.library import kind_names
+from facescript.rig.rigs import rig
+from rig.poses import mirrored, plain, pose, some, span, sweep
 
-RIGS = {name: CartoonRig(style, style.palette) for name, style in STYLES.items()}
+RIGS = {name: rig(plain(name)) for name in kind_names()}
 KINDS = pytest.mark.parametrize("kind", sorted(RIGS))
 MOVING = [name for name in NAMES if not name.startswith("gaze.")]
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from facescript.performance.performance import REST
+from facescript.resolve.kinds.library import kind_names
 from facescript.rig.cartoon import features
-from facescript.rig.cartoon.face import CartoonRig
-from facescript.rig.rigs import STYLES
-from rig.poses import pose
+from facescript.rig.rigs import rig
+from rig.poses import plain, pose
 
-RIGS = {name: CartoonRig(style, style.palette) for name, style in STYLES.items()}
+RIGS = {name: rig(plain(name)) for name in kind_names()}
 KINDS = pytest.mark.parametrize("kind", sorted(RIGS))
 GOLDEN = Path(__file__).parent / "golden"
 

@@ -11,12 +11,13 @@ from hypothesis import strategies as st
 
 from facescript.performance.channels import INDEX, MUSCLES, SIDES
 from facescript.performance.performance import REST
+from facescript.resolve.kinds.library import kind_names
 from facescript.rig.cartoon.face import CartoonRig
-from facescript.rig.rigs import STYLES
+from facescript.rig.rigs import rig
 from rig.outline import anchors, area, inside, polygon
-from rig.poses import pose, some
+from rig.poses import plain, pose, some
 
-RIGS = {name: CartoonRig(style, style.palette) for name, style in STYLES.items()}
+RIGS = {name: rig(plain(name)) for name in kind_names()}
 KINDS = pytest.mark.parametrize("kind", sorted(RIGS))
 PAIRS = [f"{muscle}.{side}" for muscle in MUSCLES for side in SIDES]
 

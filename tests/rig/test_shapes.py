@@ -7,17 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from facescript.ir.acts import Life, Voice
-from facescript.ir.play import Face
 from facescript.performance.performance import REST
+from facescript.resolve.kinds.library import kind_names
 from facescript.rig.cartoon.backdrop import backdrop
 from facescript.rig.cartoon.palette import tinted, to_hex, to_lab
 from facescript.rig.picture import Linear, Paint, Shape
-from facescript.rig.rigs import STYLES, rig
-from facescript.text import Source, Span
+from facescript.rig.rigs import rig, style
+from rig.poses import plain
 
 GOLDEN = Path(__file__).parent / "golden"
-KINDS = pytest.mark.parametrize("kind", sorted(STYLES))
+KINDS = pytest.mark.parametrize("kind", kind_names())
 
 
 def paint(fill: Paint) -> str:
@@ -35,35 +34,30 @@ def line(shape: Shape) -> str:
     return f"{shape.group:11s} {shape.id:22s} {segments:14s} {paint(shape.fill)}{clip}\n"
 
 
-def face(kind: str, **looks: str) -> Face:
-    span = Span(Source("here.face", ""), 0, 0)
-    return Face("ada", kind, Voice(), Life("still"), span, looks=tuple(looks.items()))
-
-
 @KINDS
 def test_the_shape_list(kind: str) -> None:
     """A golden list: layer, id, segments of each contour, paint, clip."""
-    text = "".join(line(shape) for shape in rig(face(kind)).shapes)
+    text = "".join(line(shape) for shape in rig(plain(kind)).shapes)
     assert text == (GOLDEN / f"{kind}_shapes.txt").read_text()
 
 
 @KINDS
 def test_looks_tint_their_family_and_nothing_else(kind: str) -> None:
-    plain, tinted_rig = rig(face(kind)), rig(face(kind, hair="#ff88cc"))
-    changed = {a.id for a, b in zip(plain.shapes, tinted_rig.shapes, strict=True) if paint(a.fill) != paint(b.fill)}
+    usual, tinted_rig = rig(plain(kind)), rig(plain(kind, hair="#ff88cc"))
+    changed = {a.id for a, b in zip(usual.shapes, tinted_rig.shapes, strict=True) if paint(a.fill) != paint(b.fill)}
     assert changed
     assert all(name.startswith(("hair-", "brow-body", "brow-hairs")) for name in changed)
 
 
 @KINDS
 def test_looks_do_not_change_the_geometry(kind: str) -> None:
-    plain, other = rig(face(kind)), rig(face(kind, skin="#6b4a36", eyes="#3a5fa0", lips="#803040", clothes="#aa3333"))
-    assert np.array_equal(plain.draw(REST[None]).points, other.draw(REST[None]).points)
+    usual, other = rig(plain(kind)), rig(plain(kind, skin="#6b4a36", eyes="#3a5fa0", lips="#803040", clothes="#aa3333"))
+    assert np.array_equal(usual.draw(REST[None]).points, other.draw(REST[None]).points)
 
 
 def test_an_unknown_kind_is_a_key_error() -> None:
     with pytest.raises(KeyError):
-        rig(face("unicorn"))
+        rig(plain("unicorn"))
 
 
 def test_a_tinted_family_keeps_its_order_of_lightness() -> None:
@@ -83,7 +77,7 @@ def test_colours_survive_oklab() -> None:
 
 @KINDS
 def test_the_backdrop_never_moves_and_fills_the_box(kind: str) -> None:
-    shapes, picture = backdrop(STYLES[kind], STYLES[kind].palette)
+    shapes, picture = backdrop(style(plain(kind)))
     assert not any(shape.moving for shape in shapes)
     assert {shape.group for shape in shapes} == {"background"}
     ground = picture.points[0, : shapes[0].contours[0].count]
@@ -93,7 +87,7 @@ def test_the_backdrop_never_moves_and_fills_the_box(kind: str) -> None:
 @KINDS
 def test_the_bust_reaches_below_the_box(kind: str) -> None:
     """A film taller than its faces shows no cut-off bust."""
-    drawn = rig(face(kind))
+    drawn = rig(plain(kind))
     points = drawn.draw(REST[None]).points[0]
     below = [
         shape.id

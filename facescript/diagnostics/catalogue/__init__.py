@@ -5,6 +5,7 @@ from __future__ import annotations
 from facescript.diagnostics.catalogue.command import COMMAND
 from facescript.diagnostics.catalogue.files import FILES
 from facescript.diagnostics.catalogue.gaze import GAZE
+from facescript.diagnostics.catalogue.kinds import KINDS
 from facescript.diagnostics.catalogue.later import LATER
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.catalogue.names import NAMES
@@ -17,7 +18,7 @@ from facescript.text import Span
 
 CATALOGUE: dict[str, Entry] = {
     entry.code: entry
-    for family in (SYNTAX, NAMES, VALUES, TIME, SPEECH, GAZE, FILES, LATER, COMMAND)
+    for family in (SYNTAX, NAMES, KINDS, VALUES, TIME, SPEECH, GAZE, FILES, LATER, COMMAND)
     for entry in family
 }
 

@@ -32,14 +32,6 @@ LATER: tuple[Entry, ...] = (
         "show smile\n",
     ),
     Entry(
-        "FS805",
-        "later-animal",
-        Severity.ERROR,
-        "The face `{kind}` is part of the language and not in this version; there are `woman`, `man` and `unseen`.",
-        "face rex = dog\nrex: nod\n",
-        "face rex = man\nrex: nod\n",
-    ),
-    Entry(
         "FS806",
         "later-people",
         Severity.ERROR,

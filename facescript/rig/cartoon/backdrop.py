@@ -5,18 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from facescript.rig.cartoon import table
-from facescript.rig.cartoon.face import EYES
-from facescript.rig.cartoon.palette import Palette
 from facescript.rig.cartoon.style import FaceStyle
 from facescript.rig.picture import Picture, Shape
 
 
-def backdrop(style: FaceStyle, palette: Palette) -> tuple[tuple[Shape, ...], Picture]:
+def backdrop(style: FaceStyle) -> tuple[tuple[Shape, ...], Picture]:
     """Shapes of group "background" with points of their own, and their one frame; the art box is 720 x 720 px."""
-    parts = style.backdrop(palette)
+    parts = style.backdrop
     outlines = {part.id: part.loops for part in parts}
     anchors = table.build(parts, outlines, outlines)
-    columns = [anchors.points(values[:, None])[:, 0] + EYES[k] for k, values in enumerate((anchors.x, anchors.y))]
+    middle = style.eyes_at
+    columns = [anchors.points(values[:, None])[:, 0] + middle[k] for k, values in enumerate((anchors.x, anchors.y))]
     shapes = tuple(
         Shape(part.id, part.group, anchors.contours[part.id], part.fill, part.clip, moving=False) for part in parts
     )

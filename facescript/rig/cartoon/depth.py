@@ -104,6 +104,20 @@ def _sliding(near: float, far: float, x: float) -> tuple[float, float]:
     return (right + left) / 2, (right - left) / 2 / math.sin(TABLE_YAW)
 
 
+def plain(x: float, y: float, head: Head) -> Depth:
+    """As deep as is written, and no more."""
+    return Depth(0.0)
+
+
+def shell(x: float, y: float, head: Head) -> Depth:
+    """As deep as is written, on an outline that is a ball's: turned, it does not narrow like a card."""
+    return Depth(0.0, silhouette=BALL_LIKE)
+
+
+BALL_LIKE = 0.7
+"""How much a shell is a ball: its half width shrinks by 0.3 (1 - cos) in a turn."""
+
+
 def contour(x: float, y: float, head: Head) -> Depth:
     z, slide = _sliding(relief(lookup(NEAR, y)), relief(lookup(FAR, y)), x)
     return Depth(z, slide)
@@ -194,6 +208,8 @@ def body(x: float, y: float, head: Head) -> Depth:
 LAWS: dict[str, Callable[[float, float, Head], Depth]] = {
     law.__name__: law
     for law in (
+        plain,
+        shell,
         contour,
         skin,
         nose,

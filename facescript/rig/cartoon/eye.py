@@ -40,7 +40,7 @@ class EyeStyle:
     shade: float
     line: tuple[float, float, float, float, float]
     wing: tuple[float, float]
-    lashes: tuple[tuple[float, float, float], ...] = ()
+    lash: tuple[tuple[float, float, float], ...] = ()
     """Each lash: where along the eye it grows, its length, its angle above the horizontal outwards (deg)."""
     top: tuple[float, float] = (0.70, 0.80)
     bottom: tuple[float, float] = (0.62, 0.70)
@@ -88,7 +88,7 @@ def draw_eye(pen: Pen, style: EyeStyle, d: float, side: int, name: str, state: E
     _under_lid(pen, style, name, lids)
     _lower_lid(pen, style, d, side, name, lids, state)
     _upper_line(pen, style, d, side, name, lids)
-    for lash in style.lashes:
+    for lash in style.lash:
         _lash(pen, style, d, side, name, lids, lash)
     if style.rim:
         _rim(pen, style, d, side, name, lids)

@@ -142,6 +142,8 @@ def spots(style: FaceStyle) -> dict[str, dict[str, tuple[float, float]]]:
 
 def feature_parts(style: FaceStyle) -> tuple[Part, ...]:
     """Parts that hold the points of their own, to be deformed and turned with the rest."""
+    if not style.points:
+        return ()
     laws = {"nose-features": "nose", "face-features": "skin", "ear-features": "ear", "hair-features": "hair"}
     return tuple(
         Part(name, GROUP, laws[name], "#000000", (loop(*held.values()),)) for name, held in spots(style).items()
@@ -150,6 +152,8 @@ def feature_parts(style: FaceStyle) -> tuple[Part, ...]:
 
 def rows_of(style: FaceStyle, rows: Mapping[str, slice]) -> tuple[tuple[int, ...], ...]:
     """For each of `NAMES`, the anchors whose mean it is."""
+    if not style.points:
+        return ()
     own = {name: (part, i) for part, held in spots(style).items() for i, name in enumerate(held)}
     out = []
     for name in NAMES:

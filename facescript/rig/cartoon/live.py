@@ -15,9 +15,6 @@ from facescript.rig.cartoon.style import FaceStyle
 Columns = dict[str, Floats]
 """Channels, and what follows from them, by name: array[frame]."""
 
-JAW_PX = 24.0
-"""How far a jaw that drops all the way lowers the chin, px."""
-
 FLOORS = {"mouth.jaw": (0.0, 1.5), "mouth.teeth": (0.0, 1.0), "mouth.tongue": (0.0, 1.0), "mouth.round": (0.0, 1.0)}
 
 
@@ -35,12 +32,27 @@ def columns(frames: Frames) -> Columns:
     return named
 
 
+def signal(named: Columns, name: str) -> Floats:
+    """A signal of a kind's rows by its name: a channel, what both sides have in the mean, the ear's way up or down; one
+    that the face does not have stays 0."""
+    if name in named:
+        return named[name]
+    base, _, way = name.partition(" ")
+    if way:
+        side = base
+        return np.maximum(signal(named, side) * (1.0 if way.startswith("up") else -1.0), 0.0)
+    if f"{name}.left" in named:
+        return (named[f"{name}.left"] + named[f"{name}.right"]) / 2
+    return np.zeros_like(named["head.yaw"])
+
+
 def draw_live(style: FaceStyle, named: Columns) -> Pen:
-    """Eyes and mouth in the poses; adds `jaw-drop`, the chin's way in px, to the columns."""
+    """Eyes and mouth in the poses; adds the chin's way to the columns, `jaw-drop` in px and `jaw` as a part of 1."""
     pen = Pen()
     lips = draw_mouth(pen, style.mouth, _mouth(named))
     dropped = 0.55 * (lips.drop - 0.3)
-    named["jaw-drop"] = np.asarray(soft_max(JAW_PX * named["mouth.jaw"], dropped, 4.0), dtype=np.float64)
+    named["jaw-drop"] = np.asarray(soft_max(style.jaw.drop * named["mouth.jaw"], dropped, 4.0), dtype=np.float64)
+    named["jaw"] = named["jaw-drop"] / style.jaw.drop
     for side, sign in (("right", -1), ("left", 1)):
         draw_eye(pen, style.eye, style.d, sign, side, _eye(named, side))
     return pen

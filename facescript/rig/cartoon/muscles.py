@@ -1,4 +1,4 @@
-"""Muscles and the jaw -> how the parts that stand still otherwise are pushed about: one row a pull."""
+"""Muscles, the jaw and other signals -> how the parts that stand still otherwise are pushed about."""
 
 from __future__ import annotations
 
@@ -9,34 +9,27 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.ir.kind import Pull, PullField
 from facescript.performance.channels import SIDES
 from facescript.rig.cartoon.depth import smooth
+from facescript.rig.cartoon.outline import Part
 from facescript.rig.cartoon.style import FaceStyle
+from facescript.rig.cartoon.table import Table
 
 Floats = NDArray[np.float64]
-Push = Callable[[float, float], tuple[float, float]]
-"""Where an anchor stands at rest (px) to how far full contraction moves it (px)."""
+Offset = tuple[float, float]
 
 LIMP = frozenset({"contour", "skin", "under_jaw", "mouth"})
 """Depth laws of the skin that follows the jaw."""
 
 
-@dataclass(frozen=True, slots=True)
-class Pull:
-    """One effect of one signal: the parts it takes hold of (ids start with `parts`, or all whose law is in `laws`)."""
-
-    signal: str
-    parts: tuple[str, ...]
-    push: Push
-    laws: frozenset[str] = frozenset()
-
-    def holds(self, part: str, law: str) -> bool:
-        return part.startswith(self.parts) if self.parts else law in self.laws
+MIDDLE = 8.0
+"""Where a shape crosses the face's middle, one side's muscle hands over to the other's within so many px."""
 
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A pull worked out: which anchors it moves, and how far (array[anchor, 1], px) when the signal is 1."""
+    """What one signal moves: which anchors, and how far (array[anchor, 1], px) when the signal is 1."""
 
     signal: str
     rows: NDArray[np.intp]
@@ -44,105 +37,80 @@ class Effect:
     dy: Floats
 
 
-def pulls(style: FaceStyle) -> tuple[Pull, ...]:
-    """All pulls of a face."""
-    both = [pull for side, sign in zip(SIDES, (1, -1), strict=True) for pull in _of_side(style, side, sign)]
-    chin_y = style.outline[-1][1]
-
-    def drop(x: float, y: float) -> tuple[float, float]:
-        return 0.0, smooth(62, chin_y - 8, y)
-
-    def boss(x: float, y: float) -> tuple[float, float]:
-        return 0.0, -4.0 * smooth(chin_y - 45, chin_y - 15, y) * math.exp(-((x / 45) ** 2))
-
-    return (
-        *both,
-        Pull("jaw-drop", (), drop, LIMP),
-        Pull("jaw-drop", ("neck-shadow",), lambda x, y: (0.0, 0.6 * smooth(100, 200, y))),
-        Pull("chin", (), boss, LIMP),
-    )
+def effects(style: FaceStyle, table: Table) -> tuple[Effect, ...]:
+    """All that moves the anchors of a face."""
+    parts = {part.id: part for part in style.parts}
+    found = [_effect(*each) for pull in style.pulls for each in _pulled(pull, parts, table)]
+    return (*found, *_flesh(style, table))
 
 
-def _of_side(style: FaceStyle, side: str, sign: int) -> Iterator[Pull]:
-    yield from _brow(style, side, sign)
-    nose_y, mine = style.nose_base, _half(sign)
-    cheek = (f"cheek-blush-{side}",)
-    face = ("face-skin", "face-side")
-
-    def wing(lift: float, widen: float) -> Push:
-        def push(x: float, y: float) -> tuple[float, float]:
-            low = smooth(nose_y - 40, nose_y - 4, y) * mine(x)
-            return widen * x * mine(x), -lift * low
-
-        return push
-
-    def pad(x: float, y: float) -> tuple[float, float]:
-        return (sign * 2.0 * math.exp(-(((y - 70) / 40) ** 2)) if x * sign > 60 else 0.0), 0.0
-
-    yield Pull(f"cheek.upper.{side}", cheek, lambda x, y: (sign * 2.0, -5.0))
-    yield Pull(f"cheek.lower.{side}", cheek, lambda x, y: (sign * 2.0, -4.0))
-    yield Pull(f"cheek.lower.{side}", face, pad)
-    yield Pull(f"cheek.lower.{side}", ("nose-",), wing(0.8, 0.06))
-    yield Pull(f"nose.upper.{side}", ("nose-",), wing(4.6, 0.06))
-    yield Pull(f"lip.upper.{side}", ("nose-",), wing(1.8, 0.02))
+def _pulled(pull: Pull, parts: dict[str, Part], table: Table) -> Iterator[tuple[str, list[int], list[Offset]]]:
+    """A pull's signal, rows and offsets; on the face's right everything is mirrored."""
+    for name in pull.shapes:
+        if not pull.sides and name in parts:
+            yield pull.signal, *_moved(pull, parts[name], table, 1)
+            continue
+        for side, sign in zip(SIDES, (1, -1), strict=True):
+            part = parts.get(f"{name}-{side}") or parts.get(name)
+            if part is not None:
+                yield (f"{pull.signal}.{side}" if pull.sides else pull.signal), *_moved(pull, part, table, sign)
 
 
-def _half(sign: int) -> Callable[[float], float]:
-    """1 on one side of the face, 0 on the other, blended across the middle."""
-    return lambda x: smooth(-8, 8, x * sign)
+def _moved(pull: Pull, part: Part, table: Table, sign: int) -> tuple[list[int], list[Offset]]:
+    rows = table.rows[part.id]
+    numbers = list(range(rows.start, rows.stop))
+    offsets = pull.by * len(numbers) if len(pull.by) == 1 else pull.by
+    if pull.fields:
+        places = zip(table.x[rows].tolist(), table.y[rows].tolist(), strict=True)
+        offsets = tuple(_in_fields(pull.fields, x, y, sign) for x, y in places)
+    elif sign < 0:
+        offsets = tuple((-dx, dy) for dx, dy in _turned(offsets, [len(loop) for loop in part.loops]))
+    if pull.sides and part.id in pull.shapes:
+        share = [smooth(-MIDDLE, MIDDLE, sign * x) for x in table.x[rows].tolist()]
+        offsets = tuple((k * dx, k * dy) for k, (dx, dy) in zip(share, offsets, strict=True))
+    return numbers, list(offsets)
 
 
-def _brow(style: FaceStyle, side: str, sign: int) -> Iterator[Pull]:
-    parts = (f"brow-body-{side}", f"brow-hairs-{side}")
-    inner, outer = style.brow.inner, style.brow.outer
-
-    def along(x: float) -> float:
-        return min(1.0, max(0.0, (x * sign - inner) / (outer - inner)))
-
-    def bow(t: float) -> float:
-        return math.sin(math.pi * t)
-
-    def raise_inner(x: float, y: float) -> tuple[float, float]:
-        t = along(x)
-        return 0.0, -17.5 * (1 - t) ** 1.25 - 1.5 * bow(t)
-
-    def raise_outer(x: float, y: float) -> tuple[float, float]:
-        t = along(x)
-        return 0.0, -13.5 * t - 3.0 * bow(t)
-
-    def knit(x: float, y: float) -> tuple[float, float]:
-        t = along(x)
-        return -sign * 8.0 * (1 - t), 13.5 * (1 - t) + 5.5 * t - 1.0 * bow(t)
-
-    def squeeze(x: float, y: float) -> tuple[float, float]:
-        t = along(x)
-        return -sign * 2.0 * (1 - t), 3.5 * (1 - t)
-
-    yield Pull(f"brow.inner.{side}", parts, raise_inner)
-    yield Pull(f"brow.outer.{side}", parts, raise_outer)
-    yield Pull(f"forehead.{side}", parts, lambda x, y: (0.0, -11.0 - 2.0 * bow(along(x))))
-    yield Pull(f"brow.lower.{side}", parts, knit)
-    yield Pull(f"nose.upper.{side}", parts, squeeze)
-    mine = _half(sign)
-    furrow = ("brow-furrow",)
-    yield Pull(f"brow.lower.{side}", furrow, lambda x, y: (-sign * 1.5 * mine(x), 3.0 * mine(x)))
-    lines = ("forehead-lines",)
-    yield Pull(f"brow.inner.{side}", lines, lambda x, y: (0.0, -4.0 * mine(x)))
-    yield Pull(f"forehead.{side}", lines, lambda x, y: (0.0, -4.0 * mine(x)))
+def _turned(offsets: Sequence[Offset], lengths: Sequence[int]) -> Iterator[Offset]:
+    """Offsets in the order of mirrored outlines, each of which runs the other way."""
+    first = 0
+    for length in lengths or [len(offsets)]:
+        yield from reversed(offsets[first : first + length])
+        first += length
 
 
-def effects(table: Sequence[Pull], anchors: Sequence[tuple[str, str, float, float]]) -> tuple[Effect, ...]:
-    """The pulls worked out for the anchors of a face, each given as part, depth law, x, y."""
-    out = []
-    for pull in table:
-        moved = [
-            (row, dx, dy)
-            for row, (part, law, x, y) in enumerate(anchors)
-            if pull.holds(part, law)
-            for dx, dy in (pull.push(x, y),)
-            if abs(dx) + abs(dy) > 1e-9
-        ]
-        rows, dx, dy = zip(*moved, strict=True)
-        column = [np.array(values, dtype=np.float64)[:, None] for values in (dx, dy)]
-        out.append(Effect(pull.signal, np.array(rows, dtype=np.intp), column[0], column[1]))
-    return tuple(out)
+def _in_fields(fields: Sequence[PullField], x: float, y: float, sign: int) -> Offset:
+    """How far fields move what stands at a place; on the face's right they are mirrored."""
+    dx = dy = 0.0
+    for field in fields:
+        far = math.hypot(sign * x - field.at[0], y - field.at[1]) / field.within
+        share = (1.0 - far * far) ** 2 if far < 1.0 else 0.0
+        dx, dy = dx + share * sign * field.by[0], dy + share * field.by[1]
+    return dx, dy
+
+
+def _flesh(style: FaceStyle, table: Table) -> Iterator[Effect]:
+    """The skin of the lower face goes down with the jaw, by less the higher it is; the chin's muscle lifts its boss."""
+    chin_y, start = style.outline[-1][1], style.jaw.start
+
+    def boss(x: float, y: float) -> float:
+        return -4.0 * smooth(chin_y - 45, chin_y - 15, y) * math.exp(-((x / 45) ** 2))
+
+    yield _down("jaw-drop", table, lambda _, law: law in LIMP, lambda x, y: smooth(start, chin_y - 8, y))
+    yield _down("jaw-drop", table, lambda _, law: law == "neck_shadow", lambda x, y: 0.6 * smooth(100, 200, y))
+    yield _down("chin", table, lambda _, law: law in LIMP, boss)
+
+
+def _down(
+    signal: str, table: Table, holds: Callable[[str, str], bool], push: Callable[[float, float], float]
+) -> Effect:
+    """What moves up and down all that it takes hold of, by part and law, as a function of its place."""
+    rows = [row for row, owner in enumerate(table.owner) if holds(*owner)]
+    return _effect(signal, rows, [(0.0, push(float(table.x[row]), float(table.y[row]))) for row in rows])
+
+
+def _effect(signal: str, rows: Sequence[int], offsets: Sequence[Offset]) -> Effect:
+    """The effect on those rows that are moved at all."""
+    moved = [(row, dx, dy) for row, (dx, dy) in zip(rows, offsets, strict=True) if abs(dx) + abs(dy) > 1e-9]
+    columns = np.array([(dx, dy) for _, dx, dy in moved], dtype=np.float64).reshape(-1, 2)
+    return Effect(signal, np.array([row for row, _, _ in moved], dtype=np.intp), columns[:, :1], columns[:, 1:])

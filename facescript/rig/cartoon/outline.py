@@ -14,6 +14,9 @@ Point = Sequence[float]
 
 Loop = tuple[Anchor, ...]
 
+Depths = tuple[float | None, ...]
+"""The depth of each anchor of an outline, in d; None where the part's law says."""
+
 Spine = tuple[tuple[float, float], ...]
 
 
@@ -43,7 +46,8 @@ class Part:
     """One shape of a face at rest: what it is filled with, how deep it lies (`depth`), what bounds it.
 
     `opacity` is that at rest; muscles may change it (`tone.py`). A part without `loops` has them from the eye or the
-    mouth, which draw their own outlines.
+    mouth, which draw their own outlines. `z` is its depth in d where the law leaves it open, `depths` that of anchors
+    that have one of their own.
     """
 
     id: str
@@ -53,6 +57,8 @@ class Part:
     loops: tuple[Loop, ...] = ()
     opacity: float = 1.0
     clip: tuple[str, ...] = ()
+    z: float | None = None
+    depths: tuple[Depths, ...] = ()
 
 
 def loop(*points: Point) -> Loop:

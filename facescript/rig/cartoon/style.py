@@ -1,44 +1,73 @@
-"""What a cartoon face is made of, as data: its measures, colours and parts; a face's module fills it in."""
+"""A kind as data and the looks chosen -> what the cartoon rig draws: measures, parts, what moves and shades them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+from facescript.ir.kind import Kind, KindJaw, Pull, Shade
+from facescript.rig.cartoon.drawn import Choices, measured, parts_of
 from facescript.rig.cartoon.eye import EyeStyle
 from facescript.rig.cartoon.lips import MouthStyle
 from facescript.rig.cartoon.outline import Part
 from facescript.rig.cartoon.palette import Palette
 
-
-@dataclass(frozen=True, slots=True)
-class BrowStyle:
-    """Where a brow begins and ends, px from the axis."""
-
-    inner: float
-    outer: float
+BACKGROUND = "background"
+"""The layer of those shapes that stand behind all faces."""
 
 
 @dataclass(frozen=True, slots=True)
 class FaceStyle:
-    """One drawn face, px from the eyes' middle, y down. `parts` draws it with a palette, back to front.
+    """One drawn face, px from the eyes' middle, y down; `parts` are drawn back to front, `backdrop` behind all faces.
 
     `outline` is the right half of the face's outline from crown to chin; `shell` the half width and height of the
-    hair, in d; `nose_base` and `nose_width` are of the nose; `points` are the feature points that no drawn part
-    has (`features.py`).
+    hair, in d; `nose_base` and `nose_width` are of the nose; `points` and `hair` are the feature points that no drawn
+    part has (`features.py`), none of a kind without them; `amounts` are signals that stay as they are.
     """
 
     name: str
     d: float
+    eyes_at: tuple[float, float]
     outline: tuple[tuple[float, float], ...]
     shell: tuple[float, float]
     nose_base: float
     nose_width: float
+    jaw: KindJaw
     eye: EyeStyle
-    brow: BrowStyle
     mouth: MouthStyle
-    palette: Palette
-    parts: Callable[[Palette], tuple[Part, ...]]
-    backdrop: Callable[[Palette], tuple[Part, ...]]
+    parts: tuple[Part, ...]
+    backdrop: tuple[Part, ...]
+    pulls: tuple[Pull, ...]
+    shades: tuple[Shade, ...]
     points: Mapping[str, tuple[float, float]]
     hair: tuple[tuple[float, float], ...]
+    amounts: Mapping[str, float]
+
+
+def style_of(kind: Kind, palette: Palette, choices: Choices, amounts: Mapping[str, float]) -> FaceStyle:
+    """The style of a kind in a palette; what is not chosen is as usual."""
+    chosen = {name: options[0] for name, options in kind.head.looks} | dict(choices)
+    parts = parts_of(kind, palette, chosen)
+    return FaceStyle(
+        name=kind.name,
+        d=kind.distance,
+        eyes_at=kind.eyes_at,
+        outline=kind.outline,
+        shell=kind.shell,
+        nose_base=kind.nose[0],
+        nose_width=kind.nose[1],
+        jaw=kind.jaw,
+        eye=EyeStyle(**measured(kind.eyes[0], LISTS)),
+        mouth=MouthStyle(**measured(kind.mouth)),
+        parts=tuple(part for part in parts if part.group != BACKGROUND),
+        backdrop=tuple(part for part in parts if part.group == BACKGROUND),
+        pulls=kind.pulls,
+        shades=kind.shades,
+        points=dict(kind.points),
+        hair=kind.hair,
+        amounts={name: amounts.get(name, usual) - usual for name, usual in kind.head.amounts},
+    )
+
+
+LISTS = ("lash",)
+"""Measures that may stand more than once."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.rig.cartoon.outline import Loop, Part, spine
+from facescript.rig.cartoon.outline import Depths, Loop, Part, spine
 from facescript.rig.cartoon.spline import Term, handle_map
 from facescript.rig.picture import Contour
 
@@ -24,14 +24,15 @@ WARY = 0.5
 class Table:
     """Anchors of all parts, and each point of the picture as a sum of at most three of them.
 
-    `x`, `y` are the anchors at rest (px), `middle` where their depth is taken, `rows` and `contours` each part's
-    share; `source` and `weight` are array[3, point] and array[3, point, 1].
+    `x`, `y` are the anchors at rest (px), `middle` where their depth is taken, `deep` their own depths,
+    `rows` and `contours` each part's share; `source` and `weight` are array[3, point] and array[3, point, 1].
     """
 
     x: Floats
     y: Floats
     middle: tuple[tuple[float, float], ...]
     owner: tuple[tuple[str, str], ...]
+    deep: Depths
     rows: dict[str, slice]
     contours: dict[str, tuple[Contour, ...]]
     source: NDArray[np.intp]
@@ -53,6 +54,7 @@ def build(parts: Sequence[Part], rest: Loops, fit: Loops, bare: str = "") -> Tab
     spots: list[tuple[float, float]] = []
     middle: list[tuple[float, float]] = []
     owner: list[tuple[str, str]] = []
+    deep: list[float | None] = []
     terms: list[tuple[Term, ...]] = []
     rows: dict[str, slice] = {}
     contours: dict[str, tuple[Contour, ...]] = {}
@@ -69,9 +71,11 @@ def build(parts: Sequence[Part], rest: Loops, fit: Loops, bare: str = "") -> Tab
         rows[part.id] = slice(begin, len(spots))
         contours[part.id] = tuple(mine)
         owner += [(part.id, part.depth)] * (len(spots) - begin)
+        own = [depth for depths in part.depths for depth in depths] or [None] * (len(spots) - begin)
+        deep += [part.z if depth is None else depth for depth in own]
     x, y = (np.array(column, dtype=np.float64) for column in zip(*spots, strict=True))
     source, weight = _padded(terms)
-    return Table(x, y, tuple(middle), tuple(owner), rows, contours, source, weight)
+    return Table(x, y, tuple(middle), tuple(owner), tuple(deep), rows, contours, source, weight)
 
 
 def _path(outline: Loop, base: int, wary: float) -> list[tuple[Term, ...]]:

@@ -1,28 +1,43 @@
-"""Muscles -> how strongly lines, folds and blush show."""
+"""Signals -> how strongly lines, folds and blush show."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+
 import numpy as np
 
+from facescript.ir.kind import Shade
 from facescript.performance.channels import SIDES
 from facescript.rig.cartoon.pen import Floats
+from facescript.rig.cartoon.style import FaceStyle
 
-Columns = dict[str, Floats]
+Signal = Callable[[str], Floats]
 
 
-def tones(named: Columns) -> Columns:
-    """Opacity 0..1 by part, of those that muscles change: array[frame]."""
-    out: Columns = {}
-    for side in SIDES:
-        cheek, smile, nose = (named[f"{muscle}.{side}"] for muscle in ("cheek.upper", "cheek.lower", "nose.upper"))
-        out[f"eye-pouch-{side}"] = np.minimum(0.34 * cheek + 0.18 * nose, 0.5)
-        out[f"eye-crows-{side}"] = np.minimum(0.34 * cheek * (0.35 + 0.65 * np.minimum(smile, 1.0)), 0.4)
-    brow_in, brow_out, brows, knit, nose, chin = (
-        (named[f"{muscle}.left"] + named[f"{muscle}.right"]) / 2
-        for muscle in ("brow.inner", "brow.outer", "forehead", "brow.lower", "nose.upper", "chin")
-    )
-    out["brow-furrow"] = np.minimum(0.50 * knit + 0.10 * nose, 0.6)
-    out["forehead-lines"] = np.minimum(0.22 * brow_in + 0.12 * brow_out + 0.34 * brows, 0.36)
-    out["nose-wrinkles"] = np.minimum(0.50 * nose, 0.55)
-    out["chin-lines"] = np.minimum(0.34 * chin, 0.4)
+def tones(style: FaceStyle, signal: Signal) -> dict[str, Floats]:
+    """Opacity 0..1 by part, of those that signals change: array[frame]."""
+    rest = {part.id: part.opacity for part in style.parts}
+    out: dict[str, Floats] = {}
+    for shade in style.shades:
+        for part, side in _shaded(shade, rest):
+            out[part] = np.clip(rest[part] + _sum(shade, signal, side), 0.0, shade.most)
     return out
+
+
+def _shaded(shade: Shade, there: dict[str, float]) -> Iterator[tuple[str, str]]:
+    """The parts of a shade, each with the ending of its signals' names."""
+    if not shade.sides and shade.shape in there:
+        yield shade.shape, ""
+        return
+    for side in SIDES:
+        part = f"{shade.shape}-{side}"
+        if part in there:
+            yield part, f".{side}" if shade.sides else ""
+
+
+def _sum(shade: Shade, signal: Signal, side: str) -> Floats:
+    total: Floats = np.zeros(1)
+    for term in shade.terms:
+        value = term.share * signal(term.signal + side)
+        total = total + (value * np.minimum(signal(term.other + side), 1.0) if term.other else value)
+    return total

@@ -1,0 +1,84 @@
+"""A kind whose rows are read to faults between them: shapes that are not there, offsets that do not fit."""
+
+from __future__ import annotations
+
+from facescript.diagnostics.model import Related
+from facescript.ir.kind import Kind, KindOutline, KindShape, Pull
+from facescript.resolve.kinds.words import LIVE, MOST_POINTS, MOST_SHAPES, NEEDED
+from facescript.resolve.project import Project, Refused
+from facescript.text import Span
+
+
+def check(project: Project, kind: Kind) -> None:
+    """Report what does not fit together. Raises `Refused` after that."""
+    before = len(project.diagnostics.items)
+    shapes = _shapes(project, kind)
+    _size(project, kind)
+    for name in NEEDED:
+        if name not in shapes:
+            form = f"shape {name}, fill COLOUR"
+            project.report("FS244", kind.span, what=f"shape `{name}`", name=kind.name, form=form)
+    for shape in kind.shapes:
+        _known(project, shape.clip, shapes, shape.span)
+    for pull in kind.pulls:
+        _known(project, pull.shapes, shapes, pull.span)
+        _fits(project, pull, shapes)
+    for shade in kind.shades:
+        _known(project, (shade.shape,), shapes, shade.span)
+    if len(project.diagnostics.items) > before:
+        raise Refused
+
+
+def names_of(shape: KindShape) -> tuple[str, ...]:
+    """The ids of a shape: its own, and those of its sides."""
+    return (shape.id, f"{shape.id}-left", f"{shape.id}-right") if shape.sides else (shape.id,)
+
+
+def anchors(outline: KindOutline) -> int:
+    """How many anchors an outline has once it is drawn; a stroke has two a point, one where it ends in a point."""
+    count = len(outline.points)
+    if outline.form == "half":
+        return 2 * count - 2
+    if outline.form == "stroke":
+        return 2 * count - sum(point.numbers[2] < POINTED for point in (outline.points[0], outline.points[-1]))
+    return 4 if outline.form in ("spot", "disc") else count
+
+
+POINTED = 0.02
+"""A stroke's end narrower than this is a point."""
+
+
+def _shapes(project: Project, kind: Kind) -> dict[str, KindShape]:
+    found: dict[str, KindShape] = {}
+    for shape in kind.shapes:
+        for name in names_of(shape):
+            earlier = found.get(name)
+            if earlier is not None and not (earlier.when and shape.when):
+                related = (Related(earlier.span, "it is a shape here already"),)
+                project.report("FS208", shape.span, related=related, name=name)
+            found.setdefault(name, shape)
+    return found
+
+
+def _size(project: Project, kind: Kind) -> None:
+    points = sum(anchors(outline) * (2 if shape.sides else 1) for shape in kind.shapes for outline in shape.outlines)
+    for count, most, what in ((len(kind.shapes), MOST_SHAPES, "shapes"), (points, MOST_POINTS, "points")):
+        if count > most:
+            project.report("FS246", kind.span, name=kind.name, count=count, most=most, what=what)
+
+
+def _known(project: Project, names: tuple[str, ...], shapes: dict[str, KindShape], span: Span) -> None:
+    for name in names:
+        if name not in shapes:
+            clause, _ = project.meant(name, shapes, span)
+            project.report("FS242", span, name=name, what="shape of this kind", meant=clause)
+
+
+def _fits(project: Project, pull: Pull, shapes: dict[str, KindShape]) -> None:
+    """Offsets are one for all, or one for each anchor of each shape."""
+    if len(pull.by) <= 1:
+        return
+    for shape in (shapes[name] for name in pull.shapes if name in shapes):
+        count = sum(anchors(outline) for outline in shape.outlines)
+        if shape.id in LIVE or count != len(pull.by):
+            project.report("FS247", pull.span, name=shape.id, count=count, given=len(pull.by))
