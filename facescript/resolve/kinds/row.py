@@ -65,7 +65,7 @@ class Row:
 
     def numbers(self, words: Words, count: int, span: Span) -> tuple[float, ...]:
         """As many bare numbers as belong here."""
-        if len(words) != count:
+        if (count and len(words) != count) or not words:
             raise self.refuse(over(words) if words else span)
         return tuple(self.number(word) for word in words)
 

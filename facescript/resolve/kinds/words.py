@@ -38,11 +38,11 @@ LAWS = (
 
 EYE_SHAPES = (
     "eye-socket", "eye-lid", "eye-white", "eye-iris", "eye-rays", "eye-pupil", "eye-shade", "eye-light", "eye-pouch",
-    "eye-crows", "eye-lowerlid", "eye-line", "eye-lashes", "eye-crease",
+    "eye-crows", "eye-rim", "eye-glow", "eye-lowerlid", "eye-line", "eye-lashes", "eye-crease",
 )  # fmt: skip
 MOUTH_SHAPES = (
     "mouth-under", "mouth-cavity", "mouth-tongue", "mouth-teeth-upper", "mouth-teeth-lower", "mouth-lip-lower",
-    "mouth-lip-light", "mouth-lip-upper", "mouth-line",
+    "mouth-lip-light", "mouth-muzzle", "mouth-philtrum", "mouth-tongue-line", "mouth-lip-upper", "mouth-line",
 )  # fmt: skip
 LIVE: Mapping[str, str] = {
     **dict.fromkeys(EYE_SHAPES, "eye"),
@@ -68,6 +68,15 @@ EYE: Mapping[str, tuple[int, bool]] = {
     "line": (5, True),
     "wing": (2, True),
     "lash": (3, False),
+    "top": (2, False),
+    "bottom": (2, False),
+    "sink": (1, False),
+    "knit": (1, False),
+    "hollow": (1, False),
+    "rim": (1, False),
+    "pupil": (1, False),
+    "curve": (1, False),
+    "slant": (1, False),
 }
 """Measures of an eye: how many numbers each has, and whether it must be there; a lash may be written again."""
 
@@ -85,6 +94,15 @@ MOUTH: Mapping[str, tuple[int, bool]] = {
     "tick": (1, True),
     "nose-base": (1, True),
     "wing": (2, True),
+    "muzzle": (0, False),
+    "lift": (1, False),
+    "smile": (1, False),
+    "frown": (1, False),
+    "purse": (1, False),
+    "fall": (1, False),
+    "philtrum": (1, False),
+    "teeth-upper": (0, False),
+    "teeth-lower": (0, False),
 }
 """Measures of the mouth, in the same way."""
 

@@ -324,7 +324,5 @@ def _set_depths(pen: Pen, style: EyeStyle, d: float, side: int, name: str) -> No
         pen.depth[f"{part}-{name}"] = [-style.curve * u * u - style.slant * u for u in along]
 
 
-LYING = tuple(
-    f"eye-{part}" for part in "socket lid rim white shade pouch crows lowerlid line lashes crease".split()
-)
+LYING = tuple(f"eye-{part}" for part in "socket lid rim white shade pouch crows lowerlid line lashes crease".split())
 """The parts of an eye that are not on the ball."""

@@ -5,6 +5,8 @@ At rest the line is a W: the middle stands higher than the lobes beside it. Teet
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from facescript.rig.cartoon.lips import SIDES, Lips, MouthState, MouthStyle
@@ -16,73 +18,81 @@ RISE = 8.0
 LOBE = 0.6
 """Where the lobes hang, as a part of the way from the middle to the corner."""
 
+LEAST = 0.42
+"""Below this part of its half width a mouth resists being narrowed further."""
+
 OVERLAP = 2.0
 """How far (px) the muzzle reaches over the lips' line, so that no slit shows."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Opening:
+    """What both sides of a mouth share over frames: y of the upper lip's middle, the gap below it (px), how far the
+    lips are apart and pursed (0..1), and how far speech lifts the upper one (px)."""
+
+    middle: Floats
+    gap: Floats
+    apart: Floats
+    pursed: Floats
+    rise: Floats
+
+
 def muzzle_lips(style: MouthStyle, state: MouthState) -> Lips:
     """Where the lips are. As with `lips`, the inner gap at the middle is `open` MNS0."""
+    opening = _opening(style, state)
+    corner = [_corner(style, state, k, opening) for k in (0, 1)]
+    lobes = [_lobe(style, state, k, corner[k], opening) for k in (0, 1)]
+    middle, gap = opening.middle, opening.gap
+    ends: list[Spot] = [(*corner[0], True), (*corner[1], True)]
+    upper: list[Spot] = [(x, top) for x, top, _ in lobes]
+    lower: list[Spot] = [(x, bottom) for x, _, bottom in lobes]
+    upper = [ends[0], upper[0], (0.0, middle), upper[1], ends[1]]
+    lower = [ends[0], lower[0], (0.0, middle + gap + 0.3), lower[1], ends[1]]
+    above, below = _outer(style, state, upper, lower, corner, opening.pursed)
+    drop = middle + gap - style.y - style.tubercle
+    return Lips(gap, opening.apart, opening.pursed, corner, upper, lower, above, below, drop)
+
+
+def _opening(style: MouthStyle, state: MouthState) -> _Opening:
     unit = style.mns0
     apart = step(0.0, 0.16, state.open)
-    puckered = np.clip(state.round + 0.9 * state.mean("pucker"), 0.0, 1.0)
-    said = unit * np.maximum(state.open, 0.0)
+    pursed = np.clip(state.round + 0.9 * state.mean("pucker"), 0.0, 1.0)
+    said, up = unit * np.maximum(state.open, 0.0), unit * state.upper
     raised = 0.9 * state.mean("raise_") + 0.35 * state.mean("nose")
     gap = said + apart * (0.4 * style.lift * raised + 12.0 * state.mean("lower"))
-    up = unit * state.upper
     rise = RISE * np.tanh((up + 0.2 * (said - up - unit * state.lower)) / RISE)
-    middle = style.y + style.tubercle - lerp(0.4, 0.75, apart) * style.lift * raised - 3.0 * state.mean("smile")
-    middle = middle - rise - 3.0 * state.chin - 4.0 * puckered + 2.0 * state.jaw
-    corner = [_corner(style, state, k, gap, puckered, rise) for k in (0, 1)]
-    upper: list[Spot] = [(*corner[0], True)]
-    lower: list[Spot] = [(*corner[0], True)]
-    for k in (0, 1):
-        if k == 1:
-            upper.append((0.0, middle))
-            lower.append((0.0, middle + gap + 0.3))
-        x, top, bottom = _lobe(style, state, k, corner[k], (middle, gap, apart, puckered, rise))
-        upper.append((x, top))
-        lower.append((x, bottom))
-    upper.append((*corner[1], True))
-    lower.append((*corner[1], True))
-    above, below = _outer(style, state, upper, lower, corner, puckered)
-    drop: Floats = np.asarray(middle + gap - style.y - style.tubercle, dtype=np.float64)
-    return Lips(gap, apart, puckered, corner, upper, lower, above, below, drop)
+    middle = style.y + style.tubercle - (0.4 + 0.35 * apart) * style.lift * raised - 3.0 * state.mean("smile")
+    middle = middle - rise - 3.0 * state.chin - 4.0 * pursed + 2.0 * state.jaw
+    return _Opening(middle, gap, apart, pursed, rise)
 
 
-def _corner(
-    style: MouthStyle, state: MouthState, k: int, gap: Floats, puckered: Floats, rise: Floats
-) -> tuple[Number, Number]:
+def _corner(style: MouthStyle, state: MouthState, k: int, opening: _Opening) -> tuple[Number, Number]:
     side, wide = state.sides[k], style.half_width
     pursed = style.purse * np.clip(side.pucker, 0.0, 1.0) * (1 - 0.6 * state.round) + 0.12 * state.round
     half = wide * (1 + 0.13 * side.smile + 0.13 * side.stretch + 0.03 * side.frown - 0.06 * side.press - pursed)
     half = half + style.mw0 * state.wide
-    least = 0.42 * wide
+    least = LEAST * wide
     short = np.maximum(least - half, 0.0)
     half = half + short - 0.5 * least * np.tanh(short / (0.5 * least))
-    y = style.y + style.corner - style.smile * side.smile + style.frown * side.frown - 4.0 * side.nose
-    y = y - 2.0 * side.cheek + 0.5 * style.frown * side.press - 0.3 * rise - 1.5 * state.chin + gap * lerp(0.16, 0.5, puckered)
-    return SIDES[k] * half, y + 2.0 * puckered + 2.0 * state.jaw
+    y = style.y + style.corner - style.smile * side.smile + style.frown * (side.frown + 0.5 * side.press)
+    y = y - 4.0 * side.nose - 2.0 * side.cheek - 0.3 * opening.rise - 1.5 * state.chin + 2.0 * state.jaw
+    return SIDES[k] * half, y + opening.gap * lerp(0.16, 0.5, opening.pursed) + 2.0 * opening.pursed
 
 
 def _lobe(
-    style: MouthStyle,
-    state: MouthState,
-    k: int,
-    corner: tuple[Number, Number],
-    shared: tuple[Number, Floats, Floats, Floats, Floats],
+    style: MouthStyle, state: MouthState, k: int, corner: tuple[Number, Number], opening: _Opening
 ) -> tuple[Number, Number, Number]:
     """x of one lobe, and y of the lips' inner edges there; a pursed mouth has one round opening instead."""
-    middle, gap, apart, puckered, rise = shared
-    side, (corner_x, corner_y) = state.sides[k], corner
+    side, (corner_x, corner_y), pursed = state.sides[k], corner, opening.pursed
     lift = style.lift * (0.9 * side.raise_ + 0.35 * side.nose)
-    hangs = style.y - lerp(0.5, 1.1, apart) * lift - 8.0 * side.smile - rise - 3.0 * state.chin - 2.0 * side.press
-    hangs = hangs + 2.0 * state.jaw
+    hangs: Number = style.y - lerp(0.5, 1.1, opening.apart) * lift - 8.0 * side.smile - 2.0 * side.press
+    hangs = hangs - opening.rise - 3.0 * state.chin + 2.0 * state.jaw
     hangs = lerp(hangs, corner_y, 0.12 * side.smile + 0.28 * np.clip(side.frown, 0.0, 1.0) + 0.12 * side.stretch)
-    top = lerp(hangs, corner_y + 0.80 * (middle - corner_y), puckered)
-    fills = 0.6 * style.tubercle * step(0.0, 40.0, gap)
-    parts = lerp(0.85 * gap + np.minimum(fills, 0.0), 0.80 * gap, puckered)
-    parts = parts + apart * (6.0 * side.lower + 0.2 * lift)
-    return corner_x * lerp(LOBE, 0.66, puckered), top, top + 0.3 + np.maximum(parts, 0.0)
+    top = lerp(hangs, corner_y + 0.80 * (opening.middle - corner_y), pursed)
+    covered = np.minimum(0.6 * style.tubercle * step(0.0, 40.0, opening.gap), 0.0)
+    parts = lerp(0.85 * opening.gap + covered, 0.80 * opening.gap, pursed)
+    parts = parts + opening.apart * (6.0 * side.lower + 0.2 * lift)
+    return corner_x * lerp(LOBE, 0.66, pursed), top, top + 0.3 + np.maximum(parts, 0.0)
 
 
 def _outer(

@@ -25,13 +25,16 @@ def tinted(palette: Mapping[str, str], looks: Mapping[str, str]) -> Palette:
     """The palette with each family of `looks` (hair, skin, eyes, lips, clothes) built on the colour given.
 
     Every tone keeps its place in lightness against the family's `base`, and most of its share of chroma and its
-    difference of hue, measured in OKLab (B. Ottosson, 2020). Brows follow the hair.
+    difference of hue, measured in OKLab (B. Ottosson, 2020). Brows follow the hair. A family that the face
+    does not have (a dog's skin) changes nothing.
     """
     out = dict(palette)
     families = dict(looks)
     if "hair" in families:
         families["brows"] = mix(families["hair"], *BROWS)
     for family, colour in families.items():
+        if f"{family}.base" not in palette:
+            continue
         base = to_lab(palette[f"{family}.base"])
         for name, tone in palette.items():
             if name.startswith(f"{family}."):
