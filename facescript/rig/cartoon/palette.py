@@ -31,7 +31,7 @@ def tinted(palette: Mapping[str, str], looks: Mapping[str, str]) -> Palette:
     out = dict(palette)
     families = dict(looks)
     if "hair" in families:
-        families["brows"] = mix(families["hair"], *BROWS)
+        families.setdefault("brows", mix(families["hair"], *BROWS))
     for family, colour in families.items():
         if f"{family}.base" not in palette:
             continue
