@@ -312,7 +312,8 @@ def _rim(pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids: _Lids)
     x = [_x(style, d, side, u * far) for u in ALONG]
     high = [(x[i], lids.upper[i] - 0.9 * rim) for i in (1, 2, 3)]
     low = [(x[i], lids.lower[i] + 0.8 * rim) for i in (3, 2, 1)]
-    ends: list[Spot] = [(x[0], lids.upper[0] + 1.5, True), (x[4], lids.upper[4], True)]
+    rises = 4.0 * lids.shut
+    ends: list[Spot] = [(x[0], lids.upper[0] + 1.5 - rises, True), (x[4], lids.upper[4] - rises, True)]
     pen.loop(f"eye-rim-{name}", [ends[0], *high, ends[1], *low])
 
 

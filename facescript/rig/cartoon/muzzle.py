@@ -68,7 +68,7 @@ def _opening(style: MouthStyle, state: MouthState) -> _Opening:
 
 def _corner(style: MouthStyle, state: MouthState, k: int, opening: _Opening) -> tuple[Number, Number]:
     side, wide = state.sides[k], style.half_width
-    pursed = style.purse * np.clip(side.pucker, 0.0, 1.0) * (1 - 0.6 * state.round) + 0.12 * state.round
+    pursed = style.purse * np.clip(side.pucker, 0.0, 1.0) * (1 - 0.6 * state.round) + 0.18 * state.round
     half = wide * (1 + 0.13 * side.smile + 0.13 * side.stretch + 0.03 * side.frown - 0.06 * side.press - pursed)
     half = half + style.mw0 * state.wide
     least = LEAST * wide
@@ -134,7 +134,7 @@ def draw_inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> 
     back = -8.0 * (1 - bare) - 22.0 * shape.round - 6.0 * state.mean("press")
     if style.teeth_upper:
         pen.loop("mouth-teeth-upper", _row(style.teeth_upper, narrow, back, -34.0))
-    ahead = shape.drop + 6.0 * (1 - bare) + 10.0 * shape.round
+    ahead = shape.drop + 6.0 * (1 - bare) + 10.0 * shape.round + 14.0 * (1 - step(12.0, 34.0, shape.gap))
     pen.loop("mouth-teeth-lower", _row(style.teeth_lower, narrow, ahead, 30.0))
 
 
