@@ -134,7 +134,7 @@ def draw_inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> 
     back = -8.0 * (1 - bare) - 22.0 * shape.round - 6.0 * state.mean("press")
     if style.teeth_upper:
         pen.loop("mouth-teeth-upper", _row(style.teeth_upper, narrow, back, -34.0))
-    ahead = shape.drop + 6.0 * (1 - bare) + 10.0 * shape.round + 14.0 * (1 - step(12.0, 34.0, shape.gap))
+    ahead = shape.drop + 6.0 * (1 - bare) + 10.0 * shape.round + 18.0 * (1 - step(26.0, 54.0, shape.gap))
     pen.loop("mouth-teeth-lower", _row(style.teeth_lower, narrow, ahead, 30.0))
 
 
