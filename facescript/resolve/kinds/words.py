@@ -64,6 +64,9 @@ LIVE: Mapping[str, str] = {
 NEEDED = (*(name for name in EYE_SHAPES if name == "eye-white"), "mouth-cavity", "mouth-lip-lower", "mouth-lip-upper")
 """Live shapes that every face has."""
 
+POINTS = 0
+"""So many numbers a measure has that is a list of points, as long as the author wants."""
+
 EYE: Mapping[str, tuple[int, bool]] = {
     "half-width": (1, True),
     "up": (1, True),
@@ -104,17 +107,28 @@ MOUTH: Mapping[str, tuple[int, bool]] = {
     "tick": (1, True),
     "nose-base": (1, True),
     "wing": (2, True),
-    "muzzle": (0, False),
+    "muzzle": (POINTS, False),
     "lift": (1, False),
     "smile": (1, False),
     "frown": (1, False),
     "purse": (1, False),
     "fall": (1, False),
     "philtrum": (1, False),
-    "teeth-upper": (0, False),
-    "teeth-lower": (0, False),
+    "teeth-upper": (POINTS, False),
+    "teeth-lower": (POINTS, False),
 }
 """Measures of the mouth, in the same way."""
+
+ASKING: Mapping[str, str] = {
+    "eye-rim": "rim",
+    "mouth-muzzle": "muzzle",
+    "mouth-philtrum": "muzzle",
+    "mouth-tongue-line": "muzzle",
+}
+"""Live shapes that are there only with a measure of the eyes or the mouth."""
+
+TOOTHED: Mapping[str, str] = {"mouth-teeth-upper": "teeth-upper", "mouth-teeth-lower": "teeth-lower"}
+"""Live shapes for which a mouth with a muzzle needs a measure."""
 
 OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle")
 """What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`."""

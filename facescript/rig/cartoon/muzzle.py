@@ -135,7 +135,8 @@ def draw_inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> 
     if style.teeth_upper:
         pen.loop("mouth-teeth-upper", _row(style.teeth_upper, narrow, back, -34.0))
     ahead = shape.drop + 6.0 * (1 - bare) + 10.0 * shape.round + 18.0 * (1 - step(26.0, 54.0, shape.gap))
-    pen.loop("mouth-teeth-lower", _row(style.teeth_lower, narrow, ahead, 30.0))
+    if style.teeth_lower:
+        pen.loop("mouth-teeth-lower", _row(style.teeth_lower, narrow, ahead, 30.0))
 
 
 def _row(teeth: tuple[float, ...], narrow: Number, shift: Number, root: float) -> list[Spot]:
