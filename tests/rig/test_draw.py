@@ -13,10 +13,13 @@ from facescript.performance.channels import INDEX, NAMES
 from facescript.performance.performance import REST
 from facescript.resolve.kinds.library import kind_names
 from facescript.rig.rigs import rig
+from rig.outline import anchors
 from rig.poses import mirrored, plain, pose, some, span, sweep
 
 RIGS = {name: rig(plain(name)) for name in kind_names()}
 KINDS = pytest.mark.parametrize("kind", sorted(RIGS))
+HUMANS = pytest.mark.parametrize("kind", sorted(kind for kind, rig in RIGS.items() if rig.feature_names))
+"""Kinds with feature points."""
 MOVING = [name for name in NAMES if not name.startswith("gaze.")]
 
 
@@ -93,7 +96,7 @@ def test_chunks_do_not_matter(kind: str, cuts: set[int]) -> None:
     assert np.array_equal(np.concatenate([part.opacity for part in parts]), whole.opacity)
 
 
-@KINDS
+@HUMANS
 def test_a_mirrored_pose_is_the_mirrored_picture(kind: str) -> None:
     """Features (not hair, light and clothes, which are not symmetric) change sides with the pose, to a pixel."""
     rig = RIGS[kind]
@@ -115,6 +118,23 @@ PAIRS = {
     "10.9": "10.10", "M": "L", "11.3": "11.2", "11.3a": "11.2a", "Q": "N", "10.1": "10.2", "10.7": "10.8", "B": "A",
     "9.7": "9.6", "9.13": "9.14", "9.1": "9.2", "9.5": "9.4", "E": "D",
 }  # fmt: skip
+
+
+@KINDS
+def test_each_side_does_what_the_other_does_in_a_mirror(kind: str) -> None:
+    """Eyes, brows, cheeks and ears change places with the pose; lights on the eyes, clothes and hair need not."""
+    rig = RIGS[kind]
+    frames = some(12, seed=6)
+    frames[:, [NAMES.index(f"head.{axis}") for axis in ("yaw", "pitch", "roll", "x", "y")]] *= 0.5
+    there, back = rig.draw(frames), rig.draw(mirrored(frames))
+    sides = [shape.id.removesuffix("-left") for shape in rig.shapes if shape.id.endswith("-left")]
+    for name in sides:
+        if name in ("eye-light", "eye-rays") or not name.startswith(("eye", "brow", "cheek", "ear")):
+            continue
+        left, right = anchors(rig, there, f"{name}-left"), anchors(rig, back, f"{name}-right")
+        assert np.abs(left[..., 0].max(1) + right[..., 0].min(1) - 2 * rig.eyes[0]).max() < 1.0, name
+        for edge in (np.min, np.max):
+            assert np.abs(edge(left[..., 1], axis=1) - edge(right[..., 1], axis=1)).max() < 1.0, name
 
 
 @KINDS

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from facescript.diagnostics.model import Related
 from facescript.ir.kind import Kind, KindOutline, KindShape, Pull
-from facescript.resolve.kinds.words import LIVE, MOST_POINTS, MOST_SHAPES, NEEDED
+from facescript.resolve.kinds.words import ASKING, LIVE, MOST_POINTS, MOST_SHAPES, NEEDED, TOOTHED
 from facescript.resolve.project import Project, Refused
 from facescript.text import Span
 
@@ -20,6 +20,7 @@ def check(project: Project, kind: Kind) -> None:
             project.report("FS244", kind.span, what=f"shape `{name}`", name=kind.name, form=form)
     for shape in kind.shapes:
         _known(project, shape.clip, shapes, shape.span)
+        _measured(project, kind, shape)
     for pull in kind.pulls:
         _known(project, pull.shapes, shapes, pull.span)
         _fits(project, pull, shapes)
@@ -72,6 +73,17 @@ def _known(project: Project, names: tuple[str, ...], shapes: dict[str, KindShape
         if name not in shapes:
             clause, _ = project.meant(name, shapes, span)
             project.report("FS242", span, name=name, what="shape of this kind", meant=clause)
+
+
+def _measured(project: Project, kind: Kind, shape: KindShape) -> None:
+    """A shape that eyes or mouth draw only with a measure of their own has it."""
+    row, all_measures = ("eye", kind.eyes) if shape.id.startswith("eye-") else ("mouth", (kind.mouth,))
+    asked = ASKING.get(shape.id)
+    if shape.id in TOOTHED and any(name == "muzzle" for name, _ in kind.mouth.values):
+        asked = TOOTHED[shape.id]
+    if asked is not None and any(asked not in dict(measures.values) for measures in all_measures):
+        form = f"{row} ..., {asked} NUMBER" if row == "eye" else f"{row} ..., {asked} X Y X Y X Y"
+        project.report("FS244", shape.span, what=f"the measure `{asked}` of the {row}", name=shape.id, form=form)
 
 
 def _fits(project: Project, pull: Pull, shapes: dict[str, KindShape]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from facescript.ir.kind import KindPoint
-from facescript.resolve.kinds.words import FARTHEST
+from facescript.resolve.kinds.words import FARTHEST, POINTS
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import over
 from facescript.syntax.tree import Bracket, Colour, Dotted, Integer, Name, Phrase, Point, Quantity, Word
@@ -64,8 +64,9 @@ class Row:
         return value
 
     def numbers(self, words: Words, count: int, span: Span) -> tuple[float, ...]:
-        """As many bare numbers as belong here."""
-        if len(words) != count:
+        """As many bare numbers as belong here; of `POINTS`, x and y in turn of at least three."""
+        fits = len(words) >= 6 and len(words) % 2 == 0 if count == POINTS else len(words) == count
+        if not fits:
             raise self.refuse(over(words) if words else span)
         return tuple(self.number(word) for word in words)
 

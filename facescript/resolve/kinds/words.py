@@ -48,11 +48,12 @@ LAWS = (
 
 EYE_SHAPES = (
     "eye-socket", "eye-lid", "eye-white", "eye-iris", "eye-rays", "eye-pupil", "eye-shade", "eye-light", "eye-pouch",
-    "eye-crows", "eye-lowerlid", "eye-line", "eye-lashes", "eye-crease",
+    "eye-crows", "eye-rim", "eye-glow", "eye-lowerlid", "eye-line", "eye-lashes", "eye-crease",
 )  # fmt: skip
 MOUTH_SHAPES = (
     "mouth-under", "mouth-cavity", "mouth-tongue", "mouth-teeth-upper", "mouth-teeth-lower", "mouth-teeth-gaps",
-    "mouth-lip-lower", "mouth-lip-light", "mouth-lip-upper", "mouth-line",
+    "mouth-lip-lower", "mouth-lip-light", "mouth-muzzle", "mouth-philtrum", "mouth-tongue-line", "mouth-lip-upper",
+    "mouth-line",
 )  # fmt: skip
 LIVE: Mapping[str, str] = {
     **dict.fromkeys(EYE_SHAPES, "eye"),
@@ -63,6 +64,9 @@ LIVE: Mapping[str, str] = {
 
 NEEDED = (*(name for name in EYE_SHAPES if name == "eye-white"), "mouth-cavity", "mouth-lip-lower", "mouth-lip-upper")
 """Live shapes that every face has."""
+
+POINTS = 0
+"""So many numbers a measure has that is a list of points, as long as the author wants."""
 
 EYE: Mapping[str, tuple[int, bool]] = {
     "half-width": (1, True),
@@ -78,6 +82,15 @@ EYE: Mapping[str, tuple[int, bool]] = {
     "line": (5, True),
     "wing": (2, True),
     "lash": (3, False),
+    "top": (2, False),
+    "bottom": (2, False),
+    "sink": (1, False),
+    "knit": (1, False),
+    "hollow": (1, False),
+    "rim": (1, False),
+    "pupil": (1, False),
+    "curve": (1, False),
+    "slant": (1, False),
 }
 """Measures of an eye: how many numbers each has, and whether it must be there; a lash may be written again."""
 
@@ -95,8 +108,28 @@ MOUTH: Mapping[str, tuple[int, bool]] = {
     "tick": (1, True),
     "nose-base": (1, True),
     "wing": (2, True),
+    "muzzle": (POINTS, False),
+    "lift": (1, False),
+    "smile": (1, False),
+    "frown": (1, False),
+    "purse": (1, False),
+    "fall": (1, False),
+    "philtrum": (1, False),
+    "teeth-upper": (POINTS, False),
+    "teeth-lower": (POINTS, False),
 }
 """Measures of the mouth, in the same way."""
+
+ASKING: Mapping[str, str] = {
+    "eye-rim": "rim",
+    "mouth-muzzle": "muzzle",
+    "mouth-philtrum": "muzzle",
+    "mouth-tongue-line": "muzzle",
+}
+"""Live shapes that are there only with a measure of the eyes or the mouth."""
+
+TOOTHED: Mapping[str, str] = {"mouth-teeth-upper": "teeth-upper", "mouth-teeth-lower": "teeth-lower"}
+"""Live shapes for which a mouth with a muzzle needs a measure."""
 
 OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle", "near", "far")
 """What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`; `near` and `far` are how far

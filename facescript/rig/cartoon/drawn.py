@@ -22,7 +22,7 @@ def parts_of(kind: Kind, palette: Palette, choices: Choices) -> tuple[Part, ...]
     shapes = [shape for shape in kind.shapes if _chosen(shape, choices)]
     eyes = [name for each in kind.eyes for name in ((each.name,) if each.name else ("right", "left"))]
     parts = [part for run in _runs(shapes) for part in _laid(run, palette, eyes)]
-    there = {part.id for part in parts}
+    there = {part.id for part in parts if part.id.rpartition("-")[2] in (*SIDES, *eyes)}
     return tuple(replace(part, clip=tuple(_own(name, part.id, there) for name in part.clip)) for part in parts)
 
 

@@ -19,7 +19,14 @@ CREASE_ALONG = (-0.90, -0.52, 0.08, 0.66, 1.12)
 
 @dataclass(frozen=True, slots=True)
 class EyeStyle:
-    """One face's eye, px: half width, height above and below, corners, iris, crease, line and lashes."""
+    """One face's eye, px: half width, height above and below, corners, iris, crease, line and lashes.
+
+    `top` and `bottom` are how much of the height the lids keep a third from the inner corner and a third from the
+    outer; `knit` how many times as far as a human's lowered brows press the upper lid down; `sink` how far the corners
+    of a shut eye go down; `hollow` how deep the shade round the eye reaches; `rim`
+    how far a dark ring stands out around the lids; `pupil` its part of the iris; `curve` how far the lids fall back
+    towards the corners and `slant` how much farther the outer corner lies back than the inner.
+    """
 
     half_width: float
     up: float
@@ -35,6 +42,15 @@ class EyeStyle:
     wing: tuple[float, float]
     lash: tuple[tuple[float, float, float], ...] = ()
     """Each lash: where along the eye it grows, its length, its angle above the horizontal outwards (deg)."""
+    top: tuple[float, float] = (0.70, 0.80)
+    bottom: tuple[float, float] = (0.62, 0.70)
+    knit: float = 1.0
+    sink: float = 0.0
+    hollow: float = 19.0
+    rim: float = 0.0
+    pupil: float = 0.43
+    curve: float = 0.0
+    slant: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +90,10 @@ def draw_eye(pen: Pen, style: EyeStyle, d: float, side: int, name: str, state: E
     _upper_line(pen, style, d, side, name, lids)
     for lash in style.lash:
         _lash(pen, style, d, side, name, lids, lash)
+    if style.rim:
+        _rim(pen, style, d, side, name, lids)
+    if style.curve:
+        _set_depths(pen, style, d, side, name)
 
 
 def _x(style: EyeStyle, d: float, side: int, along: float) -> float:
@@ -88,11 +108,13 @@ def _lids(style: EyeStyle, d: float, side: int, state: EyeState) -> _Lids:
     below = np.sin(-state.pitch)
     sinks = 9.0 * (below + np.sqrt(below * below + 0.01) - 0.1)
     lift = 6.0 * state.cheek + 3.2 * state.nose + 1.2 * shut - sinks
-    corner = style.outer + 5.5 * shut - 1.2 * state.cheek
-    down: tuple[Number, ...] = (style.inner, style.down * 0.62, style.down, style.down * 0.70, corner)
+    corner = style.outer + (5.5 + style.sink) * shut - 1.2 * state.cheek
+    near, far = style.bottom
+    nook = style.inner + style.sink * shut
+    down: tuple[Number, ...] = (nook, style.down * near, style.down, style.down * far, corner)
     lower: list[Number] = [y - lift * k for y, k in zip(down, (0, 0.7, 1.0, 0.8, 0), strict=True)]
-    rest = (style.inner, -style.up * 0.70, -style.up, -style.up * 0.80, style.outer)
-    press = (0.0, 3.0, 1.6, 0.2, 0.0)
+    rest = (style.inner, -style.up * style.top[0], -style.up, -style.up * style.top[1], style.outer)
+    press = tuple(style.knit * px for px in (0.0, 3.0, 1.6, 0.2, 0.0))
     upper: list[Number] = []
     for i in range(5):
         closed = lower[i] + (0, 0.4, 1.0, 0.6, 0)[i]
@@ -113,7 +135,8 @@ def _socket(pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids: _Li
     """The soft hollow under the brow, the lid's skin between crease and edge, and the white."""
     cy = [spot[1] for spot in lids.crease]
     at = [_x(style, d, side, u) for u in (-1.12, -0.98, 0.1, 1.1, 1.35, 1.12, 0.0, -1.0)]
-    ys = (-7.0, cy[1] - 12, cy[2] - 11, cy[3] - 11, -8.0, 15.0, 19.0, 15.0)
+    deep = style.hollow
+    ys = (-7.0, cy[1] - 12, cy[2] - 11, cy[3] - 11, -8.0, deep * 15 / 19, deep, deep * 15 / 19)
     pen.loop(f"eye-socket-{name}", list(zip(at, ys, strict=True)))
     first, *inner, last = lids.crease
     edge = list(zip(lids.x, lids.upper, strict=True))
@@ -146,10 +169,17 @@ class _Plane:
     right: Sequence[Number]
     down: Sequence[Number]
 
-    def put(self, pen: Pen, part: str, spots: Sequence[tuple[Number, Number]], sharp: bool = False) -> None:
-        """An outline given on the plane, px to the right and down."""
+    def put(
+        self,
+        pen: Pen,
+        part: str,
+        spots: Sequence[tuple[Number, Number]],
+        sharp: bool = False,
+        corners: tuple[int, ...] = (),
+    ) -> None:
+        """An outline given on the plane, px to the right and down; sharp all round, or at `corners` only."""
         x, y, z = ([self.origin[k] + u * self.right[k] + v * self.down[k] for u, v in spots] for k in range(3))
-        pen.loop(part, [(a, b, sharp) for a, b in zip(x, y, strict=True)], z)
+        pen.loop(part, [(a, b, sharp or i in corners) for i, (a, b) in enumerate(zip(x, y, strict=True))], z)
 
 
 def _planes(style: EyeStyle, d: float, side: int, state: EyeState) -> tuple[_Plane, _Plane]:
@@ -175,17 +205,18 @@ def _ball(pen: Pen, style: EyeStyle, d: float, side: int, name: str, state: EyeS
     for angle, spread in RAYS:
         wedge = ((angle - spread, 0.84), (angle + spread, 0.84), (angle, 0.46))
         iris.put(pen, f"eye-rays-{name}", [(r * k * math.cos(a), r * k * math.sin(a)) for a, k in wedge], sharp=True)
-    pupil = PUPIL * r * np.clip(state.pupil, 0.3, 1.9)
+    pupil = style.pupil * r * np.clip(state.pupil, 0.3, 1.9)
     iris.put(pen, f"eye-pupil-{name}", [(pupil * u, pupil * v) for u, v in circle])
+    upright.put(pen, f"eye-glow-{name}", [(r * u, r * v) for u, v in GLOW], corners=(0, 2))
     for x, y, size in LIGHTS:
         upright.put(pen, f"eye-light-{name}", [(r * (x + size * u), r * (y + size * v)) for u, v in circle])
 
 
-PUPIL = 0.43
-"""The pupil at rest as a part of the iris."""
-
 LIGHTS = ((-0.36, -0.40, 0.25), (0.40, 0.42, 0.11))
 """Two reflections: place and size as parts of the iris' radius."""
+
+GLOW = ((-0.62, 0.22), (0.0, 0.76), (0.62, 0.22), (0.0, 0.46))
+"""The light that comes through the iris from above: a crescent below the pupil, in parts of the iris' radius."""
 
 RAYS = tuple(
     (math.radians(a), math.radians(w))
@@ -205,7 +236,7 @@ def _under_lid(pen: Pen, style: EyeStyle, name: str, lids: _Lids) -> None:
 def _lower_lid(pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids: _Lids, state: EyeState) -> None:
     """The soft line under the eye, and the lines that a smile of the eyes draws beside it."""
     x = [_x(style, d, side, u) for u in (-0.55, 0.06, 0.62, 1.0)]
-    low = lids.lower
+    low = [y + 1.4 * style.rim for y in lids.lower]
     pen.ribbon(
         f"eye-lowerlid-{name}",
         [(x[0], low[1] + 1.2, 0.01), (x[1], low[2] + 1.4, 1.2), (x[2], low[3] + 1.4, 1.8), (x[3], low[4] + 0.6, 1.2)],
@@ -239,7 +270,8 @@ def _upper_line(pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids:
     shut, thick = lids.shut, style.line
     top: list[Spot] = [(_x(style, d, side, -1.03), lids.upper[0] + 0.2, True)]
     top += [(lids.x[i], lids.upper[i] - thick[i] * (1 - 0.25 * shut)) for i in (1, 2, 3)]
-    top.append((_x(style, d, side, 0.98), lids.upper[4] - thick[4] * (1 - 0.75 * shut)))
+    if not style.rim:
+        top.append((_x(style, d, side, 0.98), lids.upper[4] - thick[4] * (1 - 0.75 * shut)))
     tip: Spot = (_x(style, d, side, 1.0) + side * style.wing[0], lids.upper[4] + lerp(style.wing[1], 1.6, shut), True)
     low: list[Spot] = [(_x(style, d, side, 1.0), lids.upper[4] + 0.8, True)]
     low += [(lids.x[i], lids.upper[i] + 0.7) for i in (3, 2, 1)]
@@ -272,3 +304,26 @@ def _lash(
             (x + side * width * 0.8, root + base, True),
         ],
     )
+
+
+def _rim(pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids: _Lids) -> None:
+    """The dark skin that rings an animal's eye: the lids' edges, moved outwards."""
+    rim, far = style.rim, 1 + style.rim / style.half_width
+    x = [_x(style, d, side, u * far) for u in ALONG]
+    high = [(x[i], lids.upper[i] - 0.9 * rim) for i in (1, 2, 3)]
+    low = [(x[i], lids.lower[i] + 0.8 * rim) for i in (3, 2, 1)]
+    rises = 4.0 * lids.shut
+    ends: list[Spot] = [(x[0], lids.upper[0] + 1.5 - rises, True), (x[4], lids.upper[4] - rises, True)]
+    pen.loop(f"eye-rim-{name}", [ends[0], *high, ends[1], *low])
+
+
+def _set_depths(pen: Pen, style: EyeStyle, d: float, side: int, name: str) -> None:
+    """How far (px) each point of the lids falls back from the eye's middle: lids lie round the ball."""
+    for part in LYING:
+        spots = [spot for loop in pen.loops.get(f"{part}-{name}", ()) for spot in loop]
+        along = [(spot[0] * side - d / 2) / style.half_width for spot in spots]
+        pen.depth[f"{part}-{name}"] = [-style.curve * u * u - style.slant * u for u in along]
+
+
+LYING = tuple(f"eye-{part}" for part in "socket lid rim white shade pouch crows lowerlid line lashes crease".split())
+"""The parts of an eye that are not on the ball."""

@@ -21,7 +21,13 @@ NARROW = 20.0
 
 @dataclass(frozen=True, slots=True)
 class MouthStyle:
-    """One face's mouth, px: height of the line, half width, lips, bow, and where the nose's base and wings are."""
+    """One face's mouth, px: height of the line, half width, lips, bow, and where the nose's base and wings are.
+
+    With a `muzzle` (right half of its outline, x and y in turn, from the upper middle to beside the mouth's corner) the
+    mouth is an animal's (`muzzle.py`): `lift`, `smile`, `frown` are how far muscles move lip and corners, `purse` is
+    the part of its width that pursed lips lose, `fall` how far the corners lie behind the middle, `philtrum` where the
+    line below the nose begins; teeth are x and y of gap, side, side, gap ... from the outermost to the middle.
+    """
 
     y: float
     half_width: float
@@ -36,6 +42,15 @@ class MouthStyle:
     tick: float
     nose_base: float
     wing: tuple[float, float]
+    muzzle: tuple[float, ...] = ()
+    lift: float = 0.0
+    smile: float = 0.0
+    frown: float = 0.0
+    purse: float = 0.0
+    fall: float = 0.0
+    philtrum: float = 0.0
+    teeth_upper: tuple[float, ...] = ()
+    teeth_lower: tuple[float, ...] = ()
 
     @property
     def mns0(self) -> float:

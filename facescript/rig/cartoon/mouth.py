@@ -5,15 +5,30 @@ from __future__ import annotations
 import numpy as np
 
 from facescript.rig.cartoon.lips import SIDES, Lips, MouthState, MouthStyle, lips
+from facescript.rig.cartoon.muzzle import draw_inside, draw_line, draw_muzzle, muzzle_lips, set_depths
 from facescript.rig.cartoon.pen import Number, Pen, Spot, lerp, step
 
 
 def draw_mouth(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
     """Draw all parts of the mouth and the folds beside it into `pen`; returns where the lips are."""
+    if style.muzzle:
+        return _draw_animal(pen, style, state)
     shape = lips(style, state)
     _inside(pen, style, state, shape)
     _lips(pen, style, shape)
     _line(pen, style, shape)
+    _folds(pen, style, state, shape)
+    return shape
+
+
+def _draw_animal(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
+    """The same parts and the muzzle, round an animal's lips."""
+    shape = muzzle_lips(style, state)
+    draw_inside(pen, style, state, shape)
+    _lips(pen, style, shape, past=0.8 * style.upper * shape.round)
+    draw_line(pen, style, shape)
+    draw_muzzle(pen, style, state, shape)
+    set_depths(pen, style, tuple(pen.loops))
     _folds(pen, style, state, shape)
     return shape
 
@@ -92,25 +107,26 @@ GAPS = ((-0.42, 0.92), (-0.22, 0.3), (0.0, 0.0), (0.22, 0.3), (0.42, 0.92))
 """Where the upper teeth part: along the half mouth, and how far their edge is there between middle's and side's."""
 
 
-def _lips(pen: Pen, style: MouthStyle, shape: Lips) -> None:
-    """Both lips overlap the cavity by half a pixel, so that a closed mouth shows no slit."""
+def _lips(pen: Pen, style: MouthStyle, shape: Lips, past: Number = 0.0) -> None:
+    """Both lips overlap the cavity by half a pixel, so that a closed mouth shows no slit; they reach `past` (px) the
+    corners of an opening that they ring."""
     (left, left_y), (right, right_y) = shape.corner
     top, bottom = shape.inner_upper, shape.inner_lower
     pen.loop(
         "mouth-lip-lower",
         [
-            (right + 1.1, right_y - 0.3, True),
+            (right + 1.1 + past, right_y - 0.3, True),
             *shape.outer_lower[::-1],
-            (left - 1.1, left_y - 0.3, True),
+            (left - 1.1 - past, left_y - 0.3, True),
             *((spot[0], spot[1] - 0.5) for spot in bottom[1:4]),
         ],
     )
     pen.loop(
         "mouth-lip-upper",
         [
-            (left - 1.6, left_y + 0.2, True),
+            (left - 1.6 - past, left_y + 0.2, True),
             *shape.outer_upper,
-            (right + 1.6, right_y + 0.2, True),
+            (right + 1.6 + past, right_y + 0.2, True),
             *((spot[0], spot[1] + 0.6) for spot in top[3:0:-1]),
         ],
     )

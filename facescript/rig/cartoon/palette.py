@@ -25,7 +25,8 @@ def tinted(palette: Mapping[str, str], looks: Mapping[str, str]) -> Palette:
     """The palette with each family of `looks` (hair, skin, eyes, lips, clothes) built on the colour given.
 
     Every tone keeps its place in lightness against the family's `base`, and most of its share of chroma and its
-    difference of hue, measured in OKLab (B. Ottosson, 2020). Brows follow the hair.
+    difference of hue, measured in OKLab (B. Ottosson, 2020). Brows follow the hair. A family that the face
+    does not have (a dog's skin) changes nothing.
     """
     out = dict(palette)
     families = dict(looks)
