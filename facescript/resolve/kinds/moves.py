@@ -12,7 +12,7 @@ from facescript.syntax.tree import Operator, Word
 from facescript.text import Span
 
 SIGNALS = frozenset(
-    {*MUSCLES, *OTHER_SIGNALS, *(f"{name}.{side}" for name in (*MUSCLES, "lid", "ear", "muzzle") for side in SIDES)}
+    {*MUSCLES, *OTHER_SIGNALS, *(f"{name}.{side}" for name in (*MUSCLES, "lid", "ear", "muzzle", "near") for side in SIDES)}
 )
 
 

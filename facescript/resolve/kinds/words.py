@@ -88,8 +88,9 @@ MOUTH: Mapping[str, tuple[int, bool]] = {
 }
 """Measures of the mouth, in the same way."""
 
-OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle")
-"""What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`."""
+OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle", "near")
+"""What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`; `near` is 1 on a side that is
+turned to the viewer."""
 
 FARTHEST = 4000.0
 """Points that anything may lie from the middle between the eyes."""

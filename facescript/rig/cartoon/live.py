@@ -9,13 +9,16 @@ from facescript.performance.performance import Frames
 from facescript.rig.cartoon.eye import EyeState, draw_eye
 from facescript.rig.cartoon.lips import MouthState, Side
 from facescript.rig.cartoon.mouth import draw_mouth
-from facescript.rig.cartoon.pen import Floats, Pen, soft_max
+from facescript.rig.cartoon.pen import Floats, Pen, soft_max, step
 from facescript.rig.cartoon.style import FaceStyle
 
 Columns = dict[str, Floats]
 """Channels, and what follows from them, by name: array[frame]."""
 
 FLOORS = {"mouth.jaw": (0.0, 1.5), "mouth.teeth": (0.0, 1.0), "mouth.tongue": (0.0, 1.0), "mouth.round": (0.0, 1.0)}
+
+NEAR = (0.02, 0.36)
+"""A side is turned to the viewer from the first sine of yaw on, and as much as it counts from the second."""
 
 
 def columns(frames: Frames) -> Columns:
@@ -29,12 +32,15 @@ def columns(frames: Frames) -> Columns:
     for name, (low, high) in FLOORS.items():
         named[name] = np.clip(named[name], low, high)
     named["chin"] = (named["chin.left"] + named["chin.right"]) / 2
+    turned = np.sin(np.radians(named["head.yaw"]))
+    for side, sign in zip(SIDES, (-1.0, 1.0), strict=True):
+        named[f"near.{side}"] = step(NEAR[0], NEAR[1], sign * turned)
     return named
 
 
 def signal(named: Columns, name: str) -> Floats:
-    """A signal of a kind's rows by its name: a channel, what both sides have in the mean, the ear's way up or down; one
-    that the face does not have stays 0."""
+    """A signal of a kind's rows by its name: a channel, what both sides have in the mean or one side has of what has
+    none (an amount), the ear's way up or down; one that the face does not have stays 0."""
     if name in named:
         return named[name]
     base, _, way = name.partition(" ")
@@ -43,6 +49,9 @@ def signal(named: Columns, name: str) -> Floats:
         return np.maximum(signal(named, side) * (1.0 if way.startswith("up") else -1.0), 0.0)
     if f"{name}.left" in named:
         return (named[f"{name}.left"] + named[f"{name}.right"]) / 2
+    whole, _, side = name.rpartition(".")
+    if side in SIDES and whole in named:
+        return named[whole]
     return np.zeros_like(named["head.yaw"])
 
 
