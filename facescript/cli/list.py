@@ -10,7 +10,7 @@ from pathlib import Path
 from facescript.backends.registry import backends
 from facescript.diagnostics.model import Diagnostics
 from facescript.performance.channels import CHANNELS, MUSCLES
-from facescript.resolve.kinds.library import kind_names
+from facescript.resolve.kinds.library import kind_names, library_head
 from facescript.resolve.words import UNSEEN, VERBS, WORDS
 from facescript.speech.voicebox import list_voices
 from facescript.syntax.parser import parse
@@ -19,7 +19,14 @@ from facescript.world import World
 
 Row = tuple[str, str]
 
-FACES = {"woman": "a cartoon woman", "man": "a cartoon man", "unseen": "nobody to see: a voice alone"}
+FACES = {
+    "woman": "a cartoon woman",
+    "man": "a cartoon man",
+    "dog": "a dog with ears that hang",
+    "rodent": "a squirrel",
+    "gorilla": "a gorilla",
+    "unseen": "nobody to see: a voice alone",
+}
 
 MUSCLES_DO = {
     "brow.inner": "raises the brow's inner end",
@@ -87,6 +94,19 @@ def _faces() -> Iterable[Row]:
         yield kind, FACES[kind]
 
 
+def _looks() -> Iterable[Row]:
+    """What each kind of face may choose from: choices, amounts, colours that have a name."""
+    for kind in kind_names():
+        head = library_head(kind)
+        tints = {family: [tint.name for tint in found] for family, found in head.tints}
+        for name, choices in head.looks:
+            yield f"{kind} {name}", ", ".join((*choices, *tints.pop(name, ())))
+        for name, colours in tints.items():
+            yield f"{kind} {name}", ", ".join(colours)
+        for name, usual in head.amounts:
+            yield f"{kind} {name}", f"0% to 100%, {usual:.0%} as drawn"
+
+
 def _muscles() -> Iterable[Row]:
     for muscle in MUSCLES:
         yield muscle, f"{MUSCLES_DO[muscle]}; `{muscle}.left` and `{muscle}.right` are its sides"
@@ -113,6 +133,7 @@ def _words() -> Iterable[Row]:
 
 LISTS: dict[str, Callable[[], Iterable[Row]]] = {
     "faces": _faces,
+    "looks": _looks,
     "expressions": _expressions,
     "actions": _actions,
     "muscles": _muscles,

@@ -142,14 +142,26 @@ class KindJaw:
 
 
 @dataclass(frozen=True, slots=True)
+class Tint:
+    """A colour with a name; `goes` are the skins that it goes with, all if none is named."""
+
+    name: str
+    colour: str
+    goes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class KindHead:
     """What a face may choose of its kind: the usual voice, channels of its own, `looks` (choices by name, the first one
-    usual), and `amounts` (signals that a face sets once, with the value for which the kind is drawn)."""
+    usual), `amounts` (signals that a face sets once, with the value for which the kind is drawn), the families that
+    take a colour, and colours by family that have a name."""
 
     voice: Voice | None = None
     channels: tuple[str, ...] = ()
     looks: tuple[tuple[str, tuple[str, ...]], ...] = ()
     amounts: tuple[tuple[str, float], ...] = ()
+    families: tuple[str, ...] = ()
+    tints: tuple[tuple[str, tuple[Tint, ...]], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

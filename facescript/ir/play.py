@@ -29,7 +29,8 @@ class Film:
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """A face: its kind, its voice, its life, where it stands (None: in the row), its size, its looks by name.
+    """A face: its kind, its voice, its life, where it stands (None: in the row), its size; of its looks the colours by
+    family, the choices by name and the amounts 0..1 by name.
 
     `drawn` is the kind itself where the library has none of that name.
     """
@@ -43,6 +44,8 @@ class Face:
     place: PicturePlace | None = None
     size: float = 1.0
     looks: tuple[tuple[str, str], ...] = ()
+    choices: tuple[tuple[str, str], ...] = ()
+    amounts: tuple[tuple[str, float], ...] = ()
     drawn: Kind | None = None
 
     @property

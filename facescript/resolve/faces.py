@@ -6,7 +6,7 @@ from contextlib import suppress
 from typing import Literal
 
 from facescript.ir.acts import Life, Voice
-from facescript.ir.kind import Kind
+from facescript.ir.kind import Kind, KindHead
 from facescript.ir.play import Face
 from facescript.ir.values import PicturePlace
 from facescript.resolve.kinds.kind import kind as kind_of
@@ -15,6 +15,7 @@ from facescript.resolve.lines import Line, segments
 from facescript.resolve.lives import KINDS as KNOBS
 from facescript.resolve.lives import USUAL as CALM
 from facescript.resolve.lives import preset
+from facescript.resolve.looks import looks
 from facescript.resolve.names import Definition
 from facescript.resolve.places import picture_place
 from facescript.resolve.project import Project, Refused
@@ -23,8 +24,8 @@ from facescript.resolve.scope import GLOBAL
 from facescript.resolve.speech import spoken_with, voice_named
 from facescript.resolve.suggest import nearest, replace
 from facescript.resolve.units import SHARE
-from facescript.resolve.words import FACE, LOOKS, UNSEEN, USUAL
-from facescript.syntax.tree import Colour, Declaration, Name, Phrase
+from facescript.resolve.words import FACE, UNSEEN, USUAL
+from facescript.syntax.tree import Declaration, Name, Phrase
 from facescript.text import Span
 
 ONLY = "somebody"
@@ -41,14 +42,16 @@ def default_face(project: Project, span: Span) -> Face:
         life = preset(project, CALM, span)
     except Refused:
         life = Life(CALM)
-    return Face(ONLY, USUAL, _usual_voice(USUAL, None), life, span)
+    return Face(ONLY, USUAL, _head(USUAL, None).voice or Voice(), life, span)
 
 
 def face(project: Project, node: Declaration) -> Face:
     """The face of a definition. A fault in one of its lines is reported and the line left out."""
-    kind, drawn = _kind(project, node)
+    kind, own = _kind(project, node)
+    head = _head(kind, own)
     line = _Settings(project, node)
-    voice = line.try_voice(_usual_voice(kind, drawn))
+    voice = line.try_voice(head.voice or Voice())
+    chosen = looks(project, line.line, kind, head)
     return Face(
         node.name.text,
         kind,
@@ -58,8 +61,10 @@ def face(project: Project, node: Declaration) -> Face:
         line.try_gaze(),
         line.try_place(),
         line.try_size(),
-        line.looks(),
-        drawn,
+        chosen.colours,
+        chosen.choices,
+        chosen.amounts,
+        own,
     )
 
 
@@ -71,7 +76,7 @@ def _kind(project: Project, node: Declaration) -> tuple[str, Kind | None]:
     defined = project.names.written.get(text)
     if defined is not None and defined.kind == "kind" and isinstance(defined.node, Declaration):
         defined.used = True
-        return text, _drawn(project, defined.node)
+        return text, drawn(project, defined.node)
     known = (*kind_names(), UNSEEN)
     if text in known:
         return text, None
@@ -84,8 +89,8 @@ def _kind(project: Project, node: Declaration) -> tuple[str, Kind | None]:
     return USUAL, None
 
 
-def _drawn(project: Project, node: Declaration) -> Kind | None:
-    """A kind of the script's own, read once; None where it cannot be drawn."""
+def drawn(project: Project, node: Declaration) -> Kind | None:
+    """A kind of the script's own, read once; None where it cannot be drawn, which is reported."""
     name = node.name.text
     if name not in project.kinds:
         project.kinds[name] = None
@@ -94,11 +99,11 @@ def _drawn(project: Project, node: Declaration) -> Kind | None:
     return project.kinds[name]
 
 
-def _usual_voice(kind: str, drawn: Kind | None) -> Voice:
-    """The voice of a face that names none."""
+def _head(kind: str, drawn: Kind | None) -> KindHead:
+    """What a face may choose of its kind; nothing of one that is only heard or could not be read."""
     if drawn is not None:
-        return drawn.head.voice or Voice()
-    return (library_head(kind).voice if kind in kind_names() else None) or Voice()
+        return drawn.head
+    return library_head(kind) if kind in kind_names() else KindHead()
 
 
 class _Settings:
@@ -176,16 +181,3 @@ class _Settings:
             return self.line.factor("size", SHARE, 0.01) or 1.0
         except Refused:
             return 1.0
-
-    def looks(self) -> tuple[tuple[str, str], ...]:
-        found = []
-        for name in LOOKS:
-            words = self.line.parts.get(name)
-            if words is None:
-                continue
-            if len(words) == 1 and isinstance(words[0], Colour):
-                found.append((name, words[0].text.lower()))
-            else:
-                span = self.line.spans[name]
-                self.project.report("FS314", span, text=span.text, advice="such as `#5b3a22`")
-        return tuple(found)

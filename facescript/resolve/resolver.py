@@ -14,7 +14,7 @@ from facescript.resolve import events
 from facescript.resolve.blocks import statements
 from facescript.resolve.checks import check_definitions, check_unused
 from facescript.resolve.definitions import collect, library_names
-from facescript.resolve.faces import default_face, face
+from facescript.resolve.faces import default_face, drawn, face
 from facescript.resolve.film import film
 from facescript.resolve.lives import preset
 from facescript.resolve.marks import check_marks
@@ -119,7 +119,9 @@ def _people(project: Project, script: tree.Script) -> None:
         node = definition.node
         if not isinstance(node, tree.Declaration):
             continue
-        if definition.kind == "face":
+        if definition.kind == "kind":
+            drawn(project, node)
+        elif definition.kind == "face":
             project.faces[definition.name] = face(project, node)
         elif definition.kind == "target":
             try:

@@ -136,12 +136,20 @@ FACE: dict[str, Modifier] = {
         _valued("size", "percentage", "how large it is drawn"),
         _valued("at", "place", "where its middle is, in percent of the picture from the picture's centre"),
         _valued("gaze", "gaze", "`eye-mover` or `head-mover`"),
-        *(_valued(look, "colour", f"the colour of its {look}") for look in ("hair", "skin", "eyes", "lips", "clothes")),
+        *(
+            _valued(look, "look", f"the colour of its {look}, by name or `#rrggbb`")
+            for look in ("skin", "eyes", "lips", "scarf")
+        ),
+        *(_valued(look, "look", f"the kind of its {look}, and its colour") for look in ("hair", "clothes", "beard")),
+        *(_valued(look, "look", f"which {look} it has, and their colour") for look in ("brows", "glasses", "earrings")),
+        _valued("age", "percentage", "how old it looks"),
+        _valued("width", "percentage", "how wide its face is: 50% is as drawn"),
+        _valued("make-up", "percentage", "how much make-up it wears"),
+        _valued("freckles", "percentage", "how many freckles it has"),
+        _valued("seed", "count", "draws all looks that are not written"),
     ),
 }
 """What a face's definition may say after its kind, on its line or below."""
-
-LOOKS = ("hair", "skin", "eyes", "lips", "clothes")
 
 FILM: dict[str, Modifier] = _rows(
     Modifier("size", (VALUE,), "size", "width x height in pixels: `1280x720`"),

@@ -8,15 +8,11 @@ from facescript.rig.cartoon.face import CartoonRig
 from facescript.rig.cartoon.palette import tinted
 from facescript.rig.cartoon.style import FaceStyle, style_of
 
-LOOKS = ("hair", "skin", "eyes", "lips", "clothes")
-"""What of a face takes a colour."""
-
 
 def style(face: Face) -> FaceStyle:
     """How a face is drawn; its looks re-tint whole families of colours. Raises KeyError for an unknown kind."""
     kind = face.drawn or library_kind(face.kind)
-    looks = {name: colour for name, colour in face.looks if name in LOOKS}
-    return style_of(kind, tinted(dict(kind.colours), looks), {}, {})
+    return style_of(kind, tinted(dict(kind.colours), dict(face.looks)), dict(face.choices), dict(face.amounts))
 
 
 def rig(face: Face) -> CartoonRig:

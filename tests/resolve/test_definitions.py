@@ -68,7 +68,7 @@ def test_faces() -> None:
         ("= woman, voice english", "FS326"),
         ("= woman, voice en-us female loud", "FS312"),
         ("= woman\n    hare #5b3a22", "FS308"),
-        ("= woman\n    hair brown", "FS314"),
+        ("= woman\n    hair brown", "FS249"),
         ("= woman\n    hair #5b3a22\n    hair #5b3a22", "FS310"),
         ("= woman\n    gaze eyes-mover", "FS329"),
         ("= woman\n    life clam", "FS206"),

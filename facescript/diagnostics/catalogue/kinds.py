@@ -97,4 +97,22 @@ KINDS: tuple[Entry, ...] = (
         _HEAD + _SHAPES + "    muscle chin, moves face, by (0 -4)\n" + _USE,
         "Half an outline has its mirrored points as well, a stroke two for each of its points but a pointed end.",
     ),
+    Entry(
+        "FS248",
+        "look-not-there",
+        Severity.WARNING,
+        "A `{kind}` has no {name}, so this changes nothing.",
+        _HEAD + _SHAPES + "face dora = dot, glasses round\ndora: nod\n",
+        _GOOD,
+        "Every script plays on every kind of face; what a kind does not have is left out.",
+    ),
+    Entry(
+        "FS249",
+        "unknown-look",
+        Severity.ERROR,
+        "`{text}` is no {name} of a `{kind}`{meant}",
+        "face ada = woman, hair purpel\nada: nod\n",
+        "face ada = woman, hair #5b3a92\nada: nod\n",
+        "`facescript list looks` has all that each kind of face may choose from.",
+    ),
 )

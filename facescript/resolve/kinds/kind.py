@@ -6,12 +6,12 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 
 from facescript.ir.acts import Voice
-from facescript.ir.kind import Kind, KindHead, KindJaw, KindShape, Measures, Pull, Shade
+from facescript.ir.kind import Kind, KindHead, KindJaw, KindShape, Measures, Pull, Shade, Tint
 from facescript.resolve.kinds.checks import check
 from facescript.resolve.kinds.moves import pull, shade
 from facescript.resolve.kinds.row import Row, Words, spelled
 from facescript.resolve.kinds.shapes import shape
-from facescript.resolve.kinds.words import EYE, MOUTH, ROWS
+from facescript.resolve.kinds.words import AMOUNTS, EYE, LOOKS, MOUTH, ROWS, TINTED
 from facescript.resolve.lines import Line
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.scope import GLOBAL
@@ -64,6 +64,7 @@ class _Reader:
         self.channels: list[str] = []
         self.looks: dict[str, tuple[str, ...]] = {}
         self.amounts: dict[str, float] = {}
+        self.tints: dict[str, tuple[Tint, ...]] = {}
         self.shapes: list[KindShape] = []
         self.pulls: list[Pull] = []
         self.shades: list[Shade] = []
@@ -80,8 +81,8 @@ class _Reader:
         reading: Mapping[str, Callable[[Row], None]] = {
             "voice": self._voice, "has": self._has, "colours": self._colours, "outline": self._outline,
             "jaw": self._jaw, "eye": self._eye, "mouth": self._mouth, "point": self._point, "locks": self._locks,
-            "look": self._look, "amount": self._amount, "shape": self._shape, "muscle": self._muscle,
-            "shade": self._shade, "nose": self._nose,
+            "look": self._look, "tints": self._tints, "amount": self._amount, "shape": self._shape,
+            "muscle": self._muscle, "shade": self._shade, "nose": self._nose,
         }  # fmt: skip
         try:
             reading.get(name, self._pair)(row)
@@ -133,14 +134,19 @@ class _Reader:
 
     def _look(self, row: Row) -> None:
         name, *first = row.phrases[0].words[1:]
-        choices = [tuple(first), *(phrase.words for phrase in row.phrases[1:])]
-        self.looks[row.name(name, "look")] = tuple(row.name(row.one(each, row.span), "choice") for each in choices)
+        words = [row.one(each, row.span) for each in (tuple(first), *(phrase.words for phrase in row.phrases[1:]))]
+        self.looks[row.name(name, "look", LOOKS)] = tuple(row.name(word, "choice") for word in words)
+
+    def _tints(self, row: Row) -> None:
+        family, *first = row.phrases[0].words[1:]
+        items = [tuple(first), *(phrase.words for phrase in row.phrases[1:])]
+        self.tints[row.name(family, "family of colours", TINTED)] = tuple(_tint(row, item) for item in items)
 
     def _amount(self, row: Row) -> None:
         words = row.phrases[0].words
         if len(words) != 3:
             raise row.refuse(row.span)
-        self.amounts[row.name(words[1], "amount")] = row.share(words[2])
+        self.amounts[row.name(words[1], "amount", AMOUNTS)] = row.share(words[2])
 
     def _eye(self, row: Row) -> None:
         words = row.phrases[0].words
@@ -166,7 +172,10 @@ class _Reader:
 
     def head(self) -> KindHead:
         """What a face may choose of it."""
-        return KindHead(self.voice, tuple(self.channels), tuple(self.looks.items()), tuple(self.amounts.items()))
+        families = dict.fromkeys(name.partition(".")[0] for name in self.colours)
+        tints = tuple(self.tints.items())
+        looks, amounts = tuple(self.looks.items()), tuple(self.amounts.items())
+        return KindHead(self.voice, tuple(self.channels), looks, amounts, tuple(families), tints)
 
     def kind(self) -> Kind:
         """The kind, if everything it needs is there."""
@@ -201,6 +210,14 @@ def _header(row: Row, phrase: Phrase, form: tuple[str, int, str]) -> tuple[float
 def _list(row: Row) -> list[Words]:
     """The items of a row that is a list, the first behind its first word."""
     return [row.phrases[0].words[1:], *(phrase.words for phrase in row.phrases[1:])]
+
+
+def _tint(row: Row, words: Words) -> Tint:
+    """`blond #d8b36a`, `blond #d8b36a with pale fair`."""
+    if len(words) < 2 or not isinstance(words[1], Colour) or (len(words) > 2 and spelled(words[2]) != "with"):
+        raise row.refuse(row.span)
+    goes = tuple(row.name(word, "skin") for word in words[3:])
+    return Tint(row.name(words[0], "colour"), words[1].text.lower()[:7], goes)
 
 
 def _measures(row: Row, known: Mapping[str, tuple[int, bool]]) -> tuple[tuple[str, tuple[float, ...]], ...]:

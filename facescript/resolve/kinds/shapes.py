@@ -60,7 +60,7 @@ class _Found:
             self.opacity = row.share(row.one(words, span))
         elif word == "clip" and words:
             self.clip = tuple(row.name(each, "shape") for each in words)
-        elif word in ("both", "each") and [spelled(each) for each in words] in (["sides"], ["side"]):
+        elif word in ("both", "each") and [spelled(each) for each in words] in (["sides"], ["side"], ["eye"]):
             self.sides = word
         elif word == "when" and len(words) > 1:
             self._when(words)

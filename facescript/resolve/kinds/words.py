@@ -16,6 +16,7 @@ ROWS: Mapping[str, str] = {
     "mouth": "mouth y 111, half-width 41",
     "point": "point NAME (0 -128)",
     "locks": "locks (0 -200) (60 -190)",
+    "tints": "tints FAMILY NAME #rrggbb, NAME #rrggbb with SKIN",
     "look": "look NAME CHOICE, CHOICE",
     "amount": "amount NAME 30%",
     "shape": "shape NAME, in LAYER, law LAW, fill COLOUR, outline POINTS",
@@ -23,6 +24,15 @@ ROWS: Mapping[str, str] = {
     "shade": "shade SHAPE, MUSCLE 50%, at most 60%",
 }
 """The rows of a kind by their first word, each as it is written."""
+
+LOOKS = ("hair", "clothes", "beard", "brows", "glasses", "earrings")
+"""What a kind may have choices of."""
+
+AMOUNTS = ("age", "width", "make-up", "freckles")
+"""What a kind may have an amount of."""
+
+TINTED = ("skin", "hair", "eyes", "lips", "clothes", "glasses", "beard", "brows", "scarf")
+"""Families of colours that a face may have in another colour."""
 
 LAYERS = (
     "background", "back", "hair-back", "neck", "clothes", "ears", "head", "face", "cheeks", "muzzle", "nose", "mouth",
@@ -89,8 +99,8 @@ MOUTH: Mapping[str, tuple[int, bool]] = {
 """Measures of the mouth, in the same way."""
 
 OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle", "near")
-"""What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`; `near` is 1 on a side that is
-turned to the viewer."""
+"""What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`; `near` is 1 on a side that
+is turned to the viewer."""
 
 FARTHEST = 4000.0
 """Points that anything may lie from the middle between the eyes."""

@@ -20,7 +20,8 @@ Choices = Mapping[str, str]
 def parts_of(kind: Kind, palette: Palette, choices: Choices) -> tuple[Part, ...]:
     """All parts, back to front; of shapes that stand on both sides the face's right is drawn first."""
     shapes = [shape for shape in kind.shapes if _chosen(shape, choices)]
-    parts = [part for run in _runs(shapes) for part in _laid(run, palette)]
+    eyes = [name for each in kind.eyes for name in ((each.name,) if each.name else ("right", "left"))]
+    parts = [part for run in _runs(shapes) for part in _laid(run, palette, eyes)]
     there = {part.id for part in parts}
     return tuple(replace(part, clip=tuple(_own(name, part.id, there) for name in part.clip)) for part in parts)
 
@@ -50,11 +51,13 @@ def _runs(shapes: Sequence[KindShape]) -> Iterator[list[KindShape]]:
             yield from ([shape] for shape in run)
 
 
-def _laid(run: Sequence[KindShape], palette: Palette) -> Iterator[Part]:
+def _laid(run: Sequence[KindShape], palette: Palette, eyes: Sequence[str]) -> Iterator[Part]:
+    """The parts of a run; those of the layer `eye` once for each eye, others of each side for both."""
     if not run[0].sides:
         yield from (_part(shape, palette) for shape in run)
         return
-    for side in reversed(SIDES):
+    sides = eyes if run[0].group == "eye" and run[0].sides == "each" else SIDES[::-1]
+    for side in sides:
         yield from (_sided(shape, palette, side) for shape in run)
 
 
@@ -69,7 +72,7 @@ def _sided(shape: KindShape, palette: Palette, side: str) -> Part:
     part = _part(shape, palette)
     group = f"{part.group}-{side}" if shape.sides == "each" else part.group
     part = replace(part, id=f"{part.id}-{side}", group=group)
-    if side == "left":
+    if side != "right":
         return part
     loops, depths = tuple(mirror(each) for each in part.loops), tuple(each[::-1] for each in part.depths)
     return replace(part, loops=loops, depths=depths, fill=_paint(shape.fill, palette, mirrored=True))
@@ -96,9 +99,9 @@ def _pointed(point: KindPoint) -> bool:
 
 
 def _own(clip: str, part: str, there: set[str]) -> str:
-    """A clip's id for a part: that of its own side, if there is one."""
-    side = part.rpartition("-")[2]
-    return f"{clip}-{side}" if side in SIDES and f"{clip}-{side}" in there else clip
+    """A clip's id for a part: that of its own side or eye, if there is one."""
+    own = f"{clip}-{part.rpartition('-')[2]}"
+    return own if own in there else clip
 
 
 def _paint(fill: Fill, palette: Palette, mirrored: bool) -> Paint:

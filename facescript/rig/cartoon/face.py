@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.performance.channels import INDEX, SIDES
+from facescript.performance.channels import INDEX
 from facescript.performance.performance import REST, Frames
 from facescript.rig.cartoon import features as points
 from facescript.rig.cartoon import table
 from facescript.rig.cartoon.depth import LAWS, Depth, Head
+from facescript.rig.cartoon.eyes import place
 from facescript.rig.cartoon.live import Columns, columns, draw_live, signal
 from facescript.rig.cartoon.muscles import effects
 from facescript.rig.cartoon.outline import Part
@@ -42,7 +43,7 @@ class CartoonRig:
         self._effects = effects(style, self._table)
         self._opacity = np.array([part.opacity for part in parts])
         self._slot = {part.id: k for k, part in enumerate(parts)}
-        self._groups = {group: self._rows_in(group, parts) for group in ("eye-left", "eye-right", "mouth")}
+        self._groups = {group: self._rows_in(group, parts) for group in self._turned()}
         self._features = points.rows_of(style, self._table.rows)
         self.shapes = tuple(
             Shape(part.id, part.group, self._table.contours[part.id], part.fill, part.clip) for part in parts
@@ -75,7 +76,7 @@ class CartoonRig:
     def units(self) -> points.Units:
         """The face's facial animation parameter units, px."""
         at = dict(zip(points.NAMES, map(tuple, self.features(REST[None])[0].tolist()), strict=True))
-        return points.units(at, self.style.eye.iris)
+        return points.units(at, self.style.eyes[0].style.iris)
 
     def _columns(self, frames: Frames) -> Columns:
         """Channels by name, and the face's own amounts, which stay as they are."""
@@ -88,6 +89,10 @@ class CartoonRig:
             pen = draw_live(self.style, self._columns(pose[None]))
             outlines.append(static | {name: pen.outlines(name) for name in self._live})
         return table.build(parts, outlines[0], outlines[1], bare=points.GROUP)
+
+    def _turned(self) -> tuple[str, ...]:
+        """The groups that move as a whole besides."""
+        return "mouth", *(f"eye-{eye.name}" for eye in self.style.eyes)
 
     def _depths(self) -> list[Depth]:
         """How each anchor lies in the head: by its part's law, at a depth of its own where it has one."""
@@ -124,11 +129,11 @@ class CartoonRig:
     def _place_eyes(self, x: Floats, y: Floats, named: Columns) -> None:
         """Each eye shifts and grows on its own, about its middle."""
         unit = CM * self.style.d
-        for side, sign in zip(SIDES, (1, -1), strict=True):
-            rows, size = self._groups[f"eye-{side}"], named[f"eye.{side}.scale"]
-            middle = sign * self.style.d / 2
-            x[rows] = (x[rows] - middle) * size + (middle + unit * named[f"eye.{side}.x"])
-            y[rows] = y[rows] * size - unit * named[f"eye.{side}.y"]
+        for eye in self.style.eyes:
+            rows = self._groups[f"eye-{eye.name}"]
+            aside, up, size = place(named, eye, self.style.d)
+            x[rows] = (x[rows] - eye.x) * size + (eye.x + unit * aside)
+            y[rows] = (y[rows] - eye.y) * size + (eye.y - unit * up)
 
     def _tone(self, pen: Pen, named: Columns, count: int) -> Floats:
         opacity = np.repeat(self._opacity[None, :], count, axis=0)

@@ -113,7 +113,7 @@ def spots(style: FaceStyle) -> dict[str, dict[str, tuple[float, float]]]:
     y, width, k = style.nose_base, style.nose_width, style.nose_width / 20
     top, low = style.points["ear-top"], style.points["ear-low"]
     chin, jaw, cheek, temple = (style.outline[i] for i in (10, 6, 5, 3))
-    outer = style.d / 2 + style.eye.half_width
+    outer = style.d / 2 + style.eyes[0].style.half_width
     nose = _pairs(
         {
             ("9.7", "9.6"): (9 * k, -14),

@@ -6,7 +6,7 @@ import numpy as np
 
 from facescript.performance.channels import INDEX, MUSCLES, NAMES, SIDES
 from facescript.performance.performance import Frames
-from facescript.rig.cartoon.eye import EyeState, draw_eye
+from facescript.rig.cartoon.eyes import draw_eyes
 from facescript.rig.cartoon.lips import MouthState, Side
 from facescript.rig.cartoon.mouth import draw_mouth
 from facescript.rig.cartoon.pen import Floats, Pen, soft_max, step
@@ -45,8 +45,9 @@ def signal(named: Columns, name: str) -> Floats:
         return named[name]
     base, _, way = name.partition(" ")
     if way:
-        side = base
-        return np.maximum(signal(named, side) * (1.0 if way.startswith("up") else -1.0), 0.0)
+        up, _, side = way.partition(".")
+        whole = signal(named, f"{base}.{side}" if side else base)
+        return np.maximum(whole if up == "up" else -whole, 0.0)
     if f"{name}.left" in named:
         return (named[f"{name}.left"] + named[f"{name}.right"]) / 2
     whole, _, side = name.rpartition(".")
@@ -62,24 +63,8 @@ def draw_live(style: FaceStyle, named: Columns) -> Pen:
     dropped = 0.55 * (lips.drop - 0.3)
     named["jaw-drop"] = np.asarray(soft_max(style.jaw.drop * named["mouth.jaw"], dropped, 4.0), dtype=np.float64)
     named["jaw"] = named["jaw-drop"] / style.jaw.drop
-    for side, sign in (("right", -1), ("left", 1)):
-        draw_eye(pen, style.eye, style.d, sign, side, _eye(named, side))
+    draw_eyes(pen, style, named)
     return pen
-
-
-def _eye(named: Columns, side: str) -> EyeState:
-    yaw, pitch, roll = (np.radians(named[f"eye.{side}.{axis}"]) for axis in ("yaw", "pitch", "roll"))
-    return EyeState(
-        opening=1 - np.clip(named[f"lid.{side}"], -0.35, 1.0),
-        yaw=yaw,
-        pitch=pitch,
-        roll=roll,
-        pupil=named[f"pupil.{side}"],
-        cheek=named[f"cheek.upper.{side}"] + 0.15 * named[f"cheek.lower.{side}"],
-        nose=named[f"nose.upper.{side}"],
-        frown=named[f"brow.lower.{side}"],
-        raised=named[f"brow.inner.{side}"] * 0.5 + named[f"brow.outer.{side}"] * 0.5 + named[f"forehead.{side}"],
-    )
 
 
 def _mouth(named: Columns) -> MouthState:

@@ -37,10 +37,11 @@ def tinted(palette: Mapping[str, str], looks: Mapping[str, str]) -> Palette:
     out = dict(palette)
     families = dict(looks)
     if "hair" in families:
-        families["brows"] = mix(families["hair"], *BROWS)
-    if "hair" in families and "beard.base" in palette:
+        families.setdefault("brows", mix(families["hair"], *BROWS))
         families.setdefault("beard", mix(families["hair"], *BEARD))
     for family, colour in families.items():
+        if f"{family}.base" not in palette:
+            continue
         base = to_lab(palette[f"{family}.base"])
         for name, tone in palette.items():
             if name.startswith(f"{family}."):
@@ -62,7 +63,7 @@ def _moved(tone: Lab, base: Lab, new: Lab) -> Lab:
     new_chroma, new_hue = _polar(new)
     share = new_chroma * (chroma / max(base_chroma, 1e-3)) ** TONED
     if chroma > base_chroma:
-        share = max(share, new_chroma + min(1.0, new_chroma / COLOURED) * TONED * (chroma - base_chroma))
+        share = max(share, new_chroma + min(1.0, new_chroma / COLOURED) * (chroma - base_chroma))
     angle = new_hue + TONED * math.remainder(hue - base_hue, math.tau)
     return (darker if tone[0] <= base[0] else lighter, share * math.cos(angle), share * math.sin(angle))
 

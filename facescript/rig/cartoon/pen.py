@@ -73,6 +73,15 @@ class Pen:
             right.pop(0)
         self.loop(part, left + right[::-1])
 
+    def shift(self, ending: str, x: float, y: float) -> None:
+        """Move all outlines of the parts whose ids end so."""
+        if x == y == 0.0:
+            return
+        for part, loops in self.loops.items():
+            if part.endswith(ending):
+                for points in loops:
+                    points[:] = [(spot[0] + x, spot[1] + y, len(spot) > 2 and bool(spot[2])) for spot in points]
+
     def outlines(self, part: str) -> tuple[Loop, ...]:
         """The loops of a part drawn in a single frame, as plain outlines."""
         return tuple(

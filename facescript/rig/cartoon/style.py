@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from facescript.ir.kind import Kind, KindJaw, Pull, Shade
+from facescript.ir.kind import Kind, KindJaw, Measures, Pull, Shade
 from facescript.performance.channels import SIDES
 from facescript.rig.cartoon.drawn import Choices, measured, parts_of
 from facescript.rig.cartoon.eye import EyeStyle
@@ -15,6 +15,16 @@ from facescript.rig.cartoon.palette import Palette
 
 BACKGROUND = "background"
 """The layer of those shapes that stand behind all faces."""
+
+
+@dataclass(frozen=True, slots=True)
+class Eye:
+    """One eye: its name, where its middle is (px from the middle between the usual two), its measures."""
+
+    name: str
+    x: float
+    y: float
+    style: EyeStyle
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +44,7 @@ class FaceStyle:
     nose_base: float
     nose_width: float
     jaw: KindJaw
-    eye: EyeStyle
+    eyes: tuple[Eye, ...]
     mouth: MouthStyle
     parts: tuple[Part, ...]
     backdrop: tuple[Part, ...]
@@ -60,7 +70,7 @@ def style_of(kind: Kind, palette: Palette, choices: Choices, amounts: Mapping[st
         nose_base=kind.nose[0],
         nose_width=kind.nose[1],
         jaw=kind.jaw,
-        eye=EyeStyle(**measured(kind.eyes[0], LISTS)),
+        eyes=tuple(eye for measures in kind.eyes for eye in _eyes(measures, kind.distance)),
         mouth=MouthStyle(**measured(kind.mouth)),
         parts=tuple(part for part in parts if part.group != BACKGROUND),
         backdrop=tuple(part for part in parts if part.group == BACKGROUND),
@@ -81,6 +91,15 @@ def _hidden(kind: Kind, amounts: Mapping[str, float]) -> set[str]:
             names = (shade.shape, *(f"{shade.shape}-{side}" for side in SIDES))
             found.update(names if shown <= 0.0 else ())
     return found
+
+
+def _eyes(measures: Measures, d: float) -> Iterator[Eye]:
+    """The eyes of a row: the face's right and left one, or the one that it names."""
+    style = EyeStyle(**measured(measures, LISTS))
+    if measures.name:
+        yield Eye(measures.name, *measures.at, style)
+    else:
+        yield from (Eye(side, sign * d / 2, 0.0, style) for side, sign in (("right", -1), ("left", 1)))
 
 
 LISTS = ("lash",)

@@ -29,10 +29,10 @@ def _shaded(shade: Shade, there: dict[str, float]) -> Iterator[tuple[str, str]]:
     if not shade.sides and shade.shape in there:
         yield shade.shape, ""
         return
-    for side in SIDES:
-        part = f"{shade.shape}-{side}"
-        if part in there:
-            yield part, f".{side}" if shade.sides else ""
+    for part in there:
+        base, _, side = part.rpartition("-")
+        if base == shade.shape:
+            yield part, f".{side}" if shade.sides and side in SIDES else ""
 
 
 def _sum(shade: Shade, signal: Signal, side: str) -> Floats:
