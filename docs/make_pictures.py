@@ -1,4 +1,4 @@
-"""The README's pictures and the manual's plots, made by the program: `python docs/make_pictures.py` writes them."""
+"""The README's pictures, the manual's plots and the gallery, made by the program: `python docs/make_pictures.py`."""
 
 from __future__ import annotations
 
@@ -8,16 +8,20 @@ from pathlib import Path
 import imageio.v3 as iio
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from facescript.backends.job import Job
 from facescript.backends.stills import write_png
 from facescript.cli.main import main as run
 from facescript.compile import compile_source
+from facescript.resolve.kinds.library import kind_names
 from facescript.speech.voicebox import open_voice
 from facescript.text import Source
 from facescript.world import World
 
 PLACE = Path(__file__).with_name("pictures")
+PAGE = Path(__file__).with_name("gallery.md")
+EXAMPLES = Path(__file__).parents[1] / "examples"
 FEELINGS = ("happiness", "sadness", "surprise", "fear", "anger", "disgust", "excitement", "inquisitive")
 
 SPEAKING = """\
@@ -53,16 +57,70 @@ scene a:
 """
 
 
-def frame(script: str, time: float) -> NDArray[np.uint8]:
-    """One moment of a script."""
-    world = World(Path(tempfile.gettempdir()))
+STRIP = (
+    ("woman", "", "show happiness 80%", 14),
+    ("man", ", hair #8a8f98, skin #6f4a35, clothes #7a3b2e", "show surprise 70%", -12),
+    ("woman", ", hair #2a2024, skin #9a6546, clothes #8e2f4f, lips #a03a4a", "show inquisitive", -20),
+    ("man", ", hair #c65f2a, skin #f3cdb0, clothes #2f5d4a", "show smile 90%", 22),
+    ("woman", ", hair #e0b35c, eyes #4f7fb5, clothes #5b3a6e", "show excitement 90%", -16),
+    ("man", "", "show anger 80%", 10),
+)
+"""The strip of faces at the head of the README: kind, looks, what it shows, where it turns (deg)."""
+
+STRIPPED = """\
+film 440x440, screen none
+face x{kind} = {kind}{looks}
+    life still
+target there at {yaw}deg 0deg 2m
+scene a:
+    look at camera, eyes only
+    add head.yaw {yaw}deg over 1ms
+    {what}
+    wait 1s
+"""
+
+GALLERY = {
+    "hello": 0.24,
+    "evening": 1.5,
+    "dialogue": 2.0,
+    "conversation": 11.0,
+    "crowd": 1.2,
+    "kiosk": 13.0,
+    "scenes": 5.4,
+    "words": 1.5,
+    "expressions": 5.0,
+    "muscles": 1.4,
+    "gestures": 2.6,
+    "gaze": 1.0,
+    "vergence": 2.4,
+    "degrees": 3.0,
+    "mandarin": 1.0,
+    "idle": 5.2,
+    "track": 7.5,
+    "cueing": 0.6,
+}
+"""Examples in the order of the gallery, and the moment of each that it shows, s."""
+
+HIGH = 264
+"""How high the gallery's pictures are, px."""
+
+
+def frame(script: str, time: float, folder: Path | None = None) -> NDArray[np.uint8]:
+    """One moment of a script that stands in a folder."""
+    world = World(folder or Path(tempfile.gettempdir()))
     compiled = compile_source(Source("picture.face", script), world, open_voice())
     assert compiled.play is not None, [item.message for item in compiled.diagnostics]
     assert compiled.score is not None, [item.message for item in compiled.diagnostics]
     job = Job(compiled.play, compiled.score, world.read, 0.0, compiled.score.duration, time)
-    with tempfile.TemporaryDirectory() as folder:
-        write_png(job, Path(folder) / "one.png")
-        return np.asarray(iio.imread(Path(folder) / "one.png"))[..., :3]
+    with tempfile.TemporaryDirectory() as place:
+        write_png(job, Path(place) / "one.png")
+        return np.asarray(iio.imread(Path(place) / "one.png"))[..., :3]
+
+
+def lower(picture: NDArray[np.uint8], high: int) -> Image.Image:
+    """The picture made smaller, to be `high` px."""
+    image = Image.fromarray(picture)
+    return image.resize((round(image.width * high / image.height), high), Image.Resampling.LANCZOS)
 
 
 def grid(frames: list[NDArray[np.uint8]], columns: int) -> NDArray[np.uint8]:
@@ -84,7 +142,10 @@ def main() -> None:
     )
     turned = [frame(LOOKS.format(kind=k, looks=how, yaw=y, pitch=p), 1.5) for k, how, y, p in looks]
     iio.imwrite(PLACE / "looks.png", grid([small(picture) for picture in turned], 4))
+    faces = [frame(STRIPPED.format(kind=k, looks=how, what=what, yaw=y), 0.9) for k, how, what, y in STRIP]
+    lower(grid([small(picture) for picture in faces], len(faces)), 220).save(PLACE / "faces.png", optimize=True)
     plots()
+    gallery()
 
 
 def plots() -> None:
@@ -92,6 +153,47 @@ def plots() -> None:
     for name, script, *words in PLOTS:
         picture = str(PLACE / f"plot-{name}.png")
         assert run(["plot", str(PLACE.parents[1] / "examples" / script), "-o", picture, *words]) == 0, name
+
+
+def gallery() -> None:
+    """The gallery's page and pictures, these in 256 colours each."""
+    for name, time in GALLERY.items():
+        shown = lower(frame((EXAMPLES / f"{name}.face").read_text("utf-8"), time, EXAMPLES), HIGH)
+        few = shown.quantize(256, Image.Quantize.MEDIANCUT, kmeans=1)
+        few.save(PLACE / f"gallery-{name}.png", optimize=True)
+    PAGE.write_text(page(), "utf-8", newline="\n")
+
+
+def page() -> str:
+    """The gallery: a moment of each example under what its first line says it is, and the sheet of each kind."""
+    shown = "\n".join(_shown(name, time) for name, time in GALLERY.items())
+    sheets = "\n".join(
+        f"### {kind}\n\n![The sheet of {kind}](../tests/sheet/golden/{kind}.png)\n" for kind in kind_names()
+    )
+    return f"{HEAD}\n{shown}\n{SHEETS}\n{sheets}"
+
+
+HEAD = """\
+# Gallery
+
+A moment of each script in [`examples/`](../examples). `facescript build examples/hello.face -o hello.mp4` makes the
+whole film, and with `-o hello.svg` a page for a browser. `make docs` makes this page and its pictures.
+"""
+
+SHEETS = """\
+## The kinds of faces
+
+All that each can show, as `facescript sheet KIND -o sheet.png` draws it: at rest, turned and speaking; every expression
+of the library, every shape of the mouth, the turns of the head and the eyes, a blink and a wink.
+"""
+
+
+def _shown(name: str, time: float) -> str:
+    first = (EXAMPLES / f"{name}.face").read_text("utf-8").partition("\n")[0]
+    told = first.removeprefix(f"# {name}.face: ")
+    sentence = told[0].upper() + told[1:] if first.startswith("#") else f"The shortest script: `{first}`"
+    where = f"[`{name}.face`](../examples/{name}.face) at {time:g} s"
+    return f"## {name}\n\n{sentence.removesuffix('.')}. {where}.\n\n![{name}.face](pictures/gallery-{name}.png)\n"
 
 
 def small(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:

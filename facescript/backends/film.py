@@ -11,9 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from facescript.backends.encoder import Encoder
-from facescript.backends.frames import Bytes, drawing_faults, even, film_planes, pictures
+from facescript.backends.frames import Bytes, Floats, drawing_faults, even, film_planes, pictures
 from facescript.backends.job import Job
 from facescript.backends.wav import write_wav
+from facescript.canvas.alpha import cut_out
 
 EXACT = ("-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-flags:a", "+bitexact")
 """Nothing of the time or the machine in the file."""
@@ -46,35 +47,46 @@ def write_mp4(job: Job, path: Path) -> None:
 
 
 def write_webm(job: Job, path: Path) -> None:
-    """VP9 and Opus. Raises `JobFailure`."""
-    _write_film(job, path, WEBM)
+    """VP9 and Opus; with opacity where the ground is ever transparent. Raises `JobFailure`."""
+    _write_film(job, path, WEBM, job.stage.clear is not None)
 
 
 @contextmanager
-def film_options(job: Job, kind: Sequence[str]) -> Iterator[tuple[str, ...]]:
+def film_options(job: Job, kind: Sequence[str], clear: bool = False) -> Iterator[tuple[str, ...]]:
     """ffmpeg's options for a film of the job (`kind` is MP4 or WEBM) whose planes come on its standard input."""
-    picture = raw_input("yuv420p", even(job.stage.width), even(job.stage.height), job.fps)
+    pixels = "yuva420p" if clear else "yuv420p"
+    picture = raw_input(pixels, even(job.stage.width), even(job.stage.height), job.fps)
     with _sound_file(job) as heard:
         yield (*picture, *heard, *COLOURS, *kind, *EXACT)
 
 
 def write_gif(job: Job, path: Path) -> None:
-    """A GIF that loops for ever, one palette of 256 colours for the whole film. Raises `JobFailure`."""
+    """A GIF that loops for ever, one palette of 256 colours for the whole film, one of them for what is clear where
+    the ground is ever transparent. Raises `JobFailure`."""
     step = int(np.ceil(job.fps / SWIFTEST_GIF))
     times = job.times()[::step]
-    source = raw_input("bgr0", job.stage.width, job.stage.height, job.fps / step)
+    clear = job.stage.clear is not None
+    source = raw_input("bgra" if clear else "bgr0", job.stage.width, job.stage.height, job.fps / step)
     with tempfile.TemporaryDirectory(prefix="facescript-") as folder, drawing_faults():
         palette = Path(folder) / "palette.png"
         some = times[np.unique(np.linspace(0, len(times) - 1, PALETTE_FRAMES).round().astype(int))]
-        _encode(pictures(job.stage, some), (*source, "-vf", "palettegen", "-update", "1", "-f", "image2"), palette)
+        making = (*source, "-vf", "palettegen", "-update", "1", "-f", "image2")
+        _encode(_gif_pictures(job, some, clear), making, palette)
         mapped = ("-i", str(palette), "-lavfi", "paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle")
         options = (*source, *mapped, *EXACT, "-loop", "0", "-f", "gif")
-        _encode(_counted(job, pictures(job.stage, times), len(times)), options, path)
+        _encode(_counted(job, _gif_pictures(job, times, clear), len(times)), options, path)
 
 
-def _write_film(job: Job, path: Path, kind: Sequence[str]) -> None:
+def _gif_pictures(job: Job, times: Floats, clear: bool) -> Iterator[Bytes]:
+    """The pictures at `times`; with `clear` each pixel is opaque or clear, which is all that a GIF knows."""
+    for frame in pictures(job.stage, times):
+        yield cut_out(frame.view("<u4")[..., 0]).view(np.uint8).reshape(frame.shape) if clear else frame
+
+
+def _write_film(job: Job, path: Path, kind: Sequence[str], clear: bool = False) -> None:
     times = job.times()
-    with drawing_faults(), film_options(job, kind) as options, film_planes(job.stage, times, job.jobs) as frames:
+    planes = film_planes(job.stage, times, job.jobs, clear)
+    with drawing_faults(), film_options(job, kind, clear) as options, planes as frames:
         _encode(_counted(job, frames, len(times)), options, path)
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import multiprocessing
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 from mmap import mmap
 from multiprocessing.connection import Connection
 
@@ -13,12 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.backends.job import JobFailure
+from facescript.canvas.alpha import ClearPlanes
 from facescript.canvas.box import Box
 from facescript.canvas.painter import Painter
 from facescript.canvas.planes import Planes
 from facescript.canvas.thorvg import CanvasFailure
-from facescript.stage.backcloth import Backcloth
-from facescript.stage.photo import PictureFailure
+from facescript.pictures import PictureFailure
+from facescript.stage.backcloth import WHITE, Backcloth
 from facescript.stage.stage import Stage
 
 Floats = NDArray[np.float64]
@@ -61,18 +63,22 @@ def drawn(stage: Stage, painter: Painter, cloth: Backcloth, times: Floats) -> It
 
 
 def pictures(stage: Stage, times: Floats) -> Iterator[Bytes]:
-    """Each moment as array[y, x, (B, G, R, unused)], which the next moment overwrites."""
+    """Each moment as array[y, x, (B, G, R, A)], premultiplied, which the next moment overwrites."""
     painter = Painter(stage.width, stage.height, stage.shapes)
     cloth = Backcloth(stage.width, stage.height, stage.pictures)
     for _ in drawn(stage, painter, cloth, times):
         yield painter.pixels.astype("<u4", copy=False).view(np.uint8).reshape(stage.height, stage.width, 4)
 
 
-def planes(stage: Stage, times: Floats) -> Iterator[Bytes]:
-    """Each moment as yuv420p of even sides, in one array that the next moment overwrites."""
+def planes(stage: Stage, times: Floats, clear: bool = False) -> Iterator[Bytes]:
+    """Each moment as yuv420p of even sides, in one array that the next moment overwrites. Where the ground is
+    transparent it is white; with `clear` it is clear, and the moments are yuva420p."""
     width, height = even(stage.width), even(stage.height)
     painter = Painter(width, height, stage.shapes)
-    cloth = Backcloth(width, height, stage.pictures)
+    if clear:
+        yield from _clear_planes(stage, times, painter)
+        return
+    cloth = Backcloth(width, height, stage.pictures, WHITE)
     yuv = Planes(width, height)
     for boxes in drawn(stage, painter, cloth, times):
         for box in boxes:
@@ -80,14 +86,24 @@ def planes(stage: Stage, times: Floats) -> Iterator[Bytes]:
         yield yuv.data
 
 
+def _clear_planes(stage: Stage, times: Floats, painter: Painter) -> Iterator[Bytes]:
+    height, width = painter.pixels.shape
+    cloth = Backcloth(width, height, stage.pictures)
+    yuva = ClearPlanes(width, height)
+    for boxes in drawn(stage, painter, cloth, times):
+        if boxes:
+            yuva.take(painter.pixels)
+        yield yuva.data
+
+
 @contextmanager
-def film_planes(stage: Stage, times: Floats, jobs: int) -> Iterator[Iterator[Bytes]]:
+def film_planes(stage: Stage, times: Floats, jobs: int, clear: bool = False) -> Iterator[Iterator[Bytes]]:
     """`planes`, drawn by `jobs` processes where the system can fork them; the same bytes whatever their number."""
     workers = min(jobs, -(-len(times) // CHUNK))
     if workers < 2 or sys.platform != "linux":
-        yield planes(stage, times)
+        yield planes(stage, times, clear)
         return
-    team = Team(stage, [_share(times, number, workers) for number in range(workers)])
+    team = Team(stage, [_share(times, number, workers) for number in range(workers)], clear)
     try:
         yield team.frames(len(times))
     finally:
@@ -106,8 +122,8 @@ class Team:
     A process says "drawn" after each frame, and is told "free" when one of its slots may be filled again.
     """
 
-    def __init__(self, stage: Stage, shares: Sequence[Floats]) -> None:
-        size = even(stage.width) * even(stage.height) * 3 // 2
+    def __init__(self, stage: Stage, shares: Sequence[Floats], clear: bool) -> None:
+        size = even(stage.width) * even(stage.height) * (5 if clear else 3) // 2
         self._slots = [list(np.frombuffer(mmap(-1, SLOTS * size), np.uint8).reshape(SLOTS, size)) for _ in shares]
         pipes = [multiprocessing.Pipe() for _ in shares]
         self._links = [near for near, _ in pipes]
@@ -116,7 +132,8 @@ class Team:
         for number, share in enumerate(shares):
             far = pipes[number][1]
             others = [end for pipe in pipes for end in pipe if end is not far]
-            task = (stage, share, self._slots[number], far, others)
+            frames = partial(planes, stage, share, clear)
+            task = (frames, self._slots[number], far, others)
             self._processes.append(fork.Process(target=_draw, args=task, daemon=True))
         for process in self._processes:
             process.start()
@@ -150,13 +167,15 @@ class Team:
             raise JobFailure(word.decode())
 
 
-def _draw(stage: Stage, times: Floats, slots: Sequence[Bytes], link: Connection, others: Sequence[Connection]) -> None:
+def _draw(
+    frames: Callable[[], Iterator[Bytes]], slots: Sequence[Bytes], link: Connection, others: Sequence[Connection]
+) -> None:
     """A process's whole work. It ends with its parent, whose ends of the pipes it must not hold open itself."""
     for other in others:
         other.close()
     with suppress(EOFError, OSError, KeyboardInterrupt):
         try:
-            for number, frame in enumerate(planes(stage, times)):
+            for number, frame in enumerate(frames()):
                 if number >= SLOTS:
                     link.recv_bytes()
                 slots[number % SLOTS][...] = frame

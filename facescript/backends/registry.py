@@ -18,12 +18,14 @@ GROUP = "facescript.backends"
 
 @dataclass(frozen=True, slots=True)
 class Backend:
-    """An output: its suffix, where its function is, one line of help, and whether it can make one moment."""
+    """An output: its suffix, where its function is, one line of help, whether it can make one moment, and whether
+    it is a picture that cannot be transparent."""
 
     suffix: str
     target: str
     help: str
     still: bool = False
+    opaque: bool = False
 
     def load(self) -> Callable[[Job, Path], None]:
         module, _, function = self.target.partition(":")
@@ -34,7 +36,7 @@ BACKENDS = (
     Backend(
         ".svg", "facescript.backends.svg.document:write_svg", "animated picture with sound, plays in any browser", True
     ),
-    Backend(".mp4", "facescript.backends.film:write_mp4", "film, H.264 and AAC"),
+    Backend(".mp4", "facescript.backends.film:write_mp4", "film, H.264 and AAC", opaque=True),
     Backend(".webm", "facescript.backends.film:write_webm", "film, VP9 and Opus"),
     Backend(".gif", "facescript.backends.film:write_gif", "looping picture without sound"),
     Backend(".png", "facescript.backends.stills:write_png", "one moment (--at), or a numbered picture a frame", True),

@@ -8,12 +8,14 @@ from pathlib import Path
 import imageio.v3 as iio
 import numpy as np
 
-from facescript.backends.frames import drawing_faults, pictures
+from facescript.backends.frames import Bytes, drawing_faults, pictures
 from facescript.backends.job import Job
+from facescript.canvas.alpha import straight
 
 
 def write_png(job: Job, path: Path) -> None:
-    """The one moment asked for, or the first frame: RGB, the same bytes every time. Raises `JobFailure`."""
+    """The one moment asked for, or the first frame, the same bytes every time: RGB, or RGBA in a film whose ground
+    is ever transparent. Raises `JobFailure`."""
     write_pngs(job, [path])
 
 
@@ -22,5 +24,16 @@ def write_pngs(job: Job, paths: Sequence[Path]) -> None:
     times = job.times()[: len(paths)]
     with drawing_faults():
         for number, (frame, path) in enumerate(zip(pictures(job.stage, times), paths, strict=True), start=1):
-            iio.imwrite(path, np.ascontiguousarray(frame[..., 2::-1]), extension=".png")
+            iio.imwrite(path, _rgba(frame) if job.stage.clear else _rgb(frame), extension=".png")
             job.progress(number, len(paths))
+
+
+def _rgb(frame: Bytes) -> Bytes:
+    return np.ascontiguousarray(frame[..., 2::-1])
+
+
+def _rgba(frame: Bytes) -> Bytes:
+    """Straight, as PNG has it."""
+    pixels = straight(frame.view("<u4")[..., 0])
+    bgra = pixels.view(np.uint8).reshape(frame.shape)
+    return np.ascontiguousarray(bgra[..., [2, 1, 0, 3]])

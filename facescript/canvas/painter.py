@@ -14,7 +14,7 @@ from facescript.rig.picture import Shape
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint32]
-"""array[y, x] of 0xAARRGGBB, opaque; as bytes on a little-endian machine B, G, R, A."""
+"""array[y, x] of 0xAARRGGBB, premultiplied; as bytes on a little-endian machine B, G, R, A."""
 
 
 class Painter:

@@ -163,7 +163,7 @@ class Clipped:
 
 
 class Canvas:
-    """Paints drawn in their order onto pixels that the caller owns: array[y, x] of 0xAARRGGBB, opaque."""
+    """Paints drawn in their order onto pixels that the caller owns: array[y, x] of 0xAARRGGBB, premultiplied."""
 
     def __init__(self, pixels: NDArray[np.uint32], paints: Sequence[Drawable]) -> None:
         self._lib = library()

@@ -57,6 +57,17 @@ def _plot(parser: argparse.ArgumentParser) -> None:
     _settings(parser)
 
 
+def _sheet(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("script", metavar="FACE|SCRIPT", help="a kind of face (woman, man, ...), or a .face file")
+    parser.add_argument(
+        "-o", "--output", action="append", default=[], metavar="OUT", help=".png, .svg or .html; repeat"
+    )
+    parser.add_argument("--as", dest="kind", metavar="KIND", help="the kind where the output is - (png, svg, html)")
+    parser.add_argument("--face", action="append", default=[], metavar="NAME", help="only this face; repeat")
+    parser.add_argument("--cell", metavar="N", help="how wide and high each picture is, in pixels")
+    parser.add_argument("--units", action="store_true", help="the units of FACS as well")
+
+
 def _check(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scripts", nargs="+", metavar="SCRIPT", help=".face files, or - for standard input")
     parser.add_argument("--json", action="store_true", help="a list of objects instead of text")
@@ -93,6 +104,9 @@ COMMANDS = {
     "list": Command("list", "list what there is: faces, expressions, voices, ...", _list),
     "new": Command("new", "write a starter script", _new),
     "plot": Command("plot", "draw what is done when, over the curves of what moves", _plot),
+    "sheet": Command(
+        "sheet", "draw faces with all that they can show: expressions, shapes of the mouth, turns", _sheet
+    ),
 }
 
 

@@ -17,7 +17,10 @@ from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.script import compile_named
 from facescript.cli.settings import count, seconds, stretch
 from facescript.compile import Compiled
+from facescript.diagnostics.catalogue import diagnose
 from facescript.world import World, WorldFailure
+
+CLEAR_OUTPUTS = "`.webm`, `.gif`, `.png` and `.svg`"
 
 MOST_JOBS = 64
 """Processes that draw at once, whatever is asked for."""
@@ -78,6 +81,7 @@ def _moment(options: argparse.Namespace, duration: float) -> float | None:
 
 
 def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> int:
+    _warn(job, wanted)
     target = ""
     try:
         with outputs() as batch:
@@ -89,6 +93,14 @@ def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> in
     except OSError as fault:
         return refuse("FS903", path=target, reason=fault.strerror or "it cannot be written")
     return 0
+
+
+def _warn(job: Job, wanted: list[tuple[str, Backend]]) -> None:
+    """Tell of outputs that cannot be transparent where the script asks for it."""
+    opaque = [target for target, backend in wanted if backend.opaque]
+    clear = job.stage.clear if opaque else None
+    if clear is not None:
+        show(diagnose("FS915", clear.span, path=target, fitting=CLEAR_OUTPUTS) for target in opaque)
 
 
 def _write(job: Job, target: str, backend: Backend, batch: Outputs) -> None:

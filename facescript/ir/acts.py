@@ -153,12 +153,23 @@ class WaitUntil:
 
 
 @dataclass(frozen=True, slots=True)
+class Gradient:
+    """Two or more colours `#rrggbb[aa]`, at even steps in a direction (deg, 0 to the viewer's right, 90 up), or from
+    the picture's middle to its corners (None)."""
+
+    colours: tuple[str, ...]
+    towards: float | None
+
+
+@dataclass(frozen=True, slots=True)
 class SetBackground:
-    """The picture behind: a colour `#rrggbb[aa]`, or a picture's path inside the project."""
+    """The picture behind: a colour `#rrggbb[aa]`, a picture's path inside the project, or a gradient; transparent
+    where it is none of them."""
 
     colour: str | None
     picture: str | None
     over: Amount = 0.0
+    gradient: Gradient | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,6 +26,11 @@ MOST_POINTS = 100
 
 def write_png(drawing: Drawing, path: File) -> None:
     """RGB, a pixel a px, the same bytes each time. Raises `JobFailure`."""
+    picture(drawing).save(path, "PNG", optimize=True)
+
+
+def picture(drawing: Drawing) -> Image.Image:
+    """The drawing in RGB, a pixel a px. Raises `JobFailure`."""
     pixels = np.full((drawing.height, drawing.width), 0xFFFFFFFF, dtype=np.uint32)
     with drawing_faults():
         Canvas(
@@ -36,7 +41,7 @@ def write_png(drawing: Drawing, path: File) -> None:
     for mark in drawing.marks:
         if isinstance(mark, Text):
             _write(image, mark)
-    image.save(path, "PNG", optimize=True)
+    return image
 
 
 def _write(image: Image.Image, mark: Text) -> None:

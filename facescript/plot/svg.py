@@ -23,13 +23,18 @@ STEPS = 10
 
 def write_svg(drawing: Drawing, path: Path) -> None:
     """One self-contained file, the same bytes each time."""
+    path.write_bytes(etree.tostring(document(drawing), encoding="utf-8", xml_declaration=True) + b"\n")
+
+
+def document(drawing: Drawing) -> etree._Element:
+    """The drawing as one `svg` element."""
     size = {"width": str(drawing.width), "height": str(drawing.height)}
     box = {"viewBox": f"0 0 {drawing.width} {drawing.height}", "role": "img"}
     root = etree.Element(f"{{{SVG}}}svg", {**size, **box, "font-family": FONT}, nsmap={None: SVG})
-    root.append(_told("title", drawing.title))
-    root.append(_told("desc", drawing.description))
+    root.append(told("title", drawing.title))
+    root.append(told("desc", drawing.description))
     root.extend(_element(mark) for mark in drawing.marks)
-    path.write_bytes(etree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n")
+    return root
 
 
 def _element(mark: Mark) -> etree._Element:
@@ -40,7 +45,7 @@ def _element(mark: Mark) -> etree._Element:
     edge = {"stroke": mark.edge, "stroke_width": "1"} if mark.edge else {}
     element = svg("path", d=f"{_path(mark.points)}z", fill=mark.fill or "none", **edge)
     if mark.note:
-        element.append(_told("title", mark.note))
+        element.append(told("title", mark.note))
     return element
 
 
@@ -55,7 +60,7 @@ def _text(text: Text) -> etree._Element:
     anchor = {"text_anchor": text.anchor} if text.anchor != "start" else {}
     long = {"textLength": f"{width(text.text, text.size):.0f}", "lengthAdjust": "spacingAndGlyphs"}
     place = {"x": _number(round(text.x * STEPS)), "y": _number(round(text.y * STEPS))}
-    element = _told("text", text.text)
+    element = told("text", text.text)
     for name, value in svg("text", **place, font_size=str(text.size), fill=text.colour, **anchor, **long).items():
         element.set(name, value)
     return element
@@ -77,7 +82,7 @@ def _number(tenths: int) -> str:
     return re.sub(r"^(-?)0\.", r"\1.", text)
 
 
-def _told(tag: str, text: str) -> etree._Element:
+def told(tag: str, text: str) -> etree._Element:
     element = svg(tag)
     element.text = UNFIT.sub("\ufffd", text)
     return element

@@ -7,7 +7,7 @@ from contextlib import suppress
 from typing import Any
 
 from facescript.ir.acts import At, Choose, Cue, Do, Node, Say, Sequence, Together, Verb
-from facescript.resolve import gaze, shows, speech, stage
+from facescript.resolve import background, gaze, shows, speech, stage
 from facescript.resolve.actions import call
 from facescript.resolve.lines import Line
 from facescript.resolve.marks import check_word
@@ -34,7 +34,7 @@ HANDLERS: dict[str, Handler] = {
     "drop": shows.drop,
     **dict.fromkeys(shows.POSES, shows.gesture),
     "wait": stage.wait,
-    "background": stage.background,
+    "background": background.background,
     "view": stage.view,
     "life": stage.life,
 }

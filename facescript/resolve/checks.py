@@ -9,6 +9,7 @@ from contextlib import suppress
 from facescript.resolve.actions import Statements
 from facescript.resolve.arguments import unbound
 from facescript.resolve.arithmetic import bounds
+from facescript.resolve.background import check_ground, is_ground
 from facescript.resolve.labels import gather
 from facescript.resolve.lives import preset
 from facescript.resolve.mixes import check_expression, is_shown, mix
@@ -63,11 +64,13 @@ def _action(
 
 
 def _value(project: Project, phrase: tree.Phrase) -> None:
-    """A `let`'s value or a default: a quantity, a sum, a colour, a text, or a name of something looked at."""
+    """A `let`'s value or a default: a quantity, a sum, colours, a text, or a name of something looked at."""
     words = phrase.words
     if len(words) == 1 and isinstance(words[0], PLAIN):
         return
-    if _is_mix(project, words):
+    if is_ground(project, words, GLOBAL):
+        check_ground(project, words, GLOBAL, phrase.span)
+    elif _is_mix(project, words):
         mix(project, words, GLOBAL, phrase.span)
     elif not _is_named(project, words):
         reader = Reader(words, GLOBAL, phrase.span)

@@ -50,7 +50,7 @@ def resolve(
 
 
 def _resolved(project: Project, script: tree.Script, overrides: Mapping[str, str]) -> Play:
-    _define(project, script, overrides)
+    define(project, script, overrides)
     settings = [item for item in script.items if isinstance(item, tree.Setting)]
     project.film = film(project, [item for item in settings if item.kind == "film"])
     _people(project, script)
@@ -83,7 +83,8 @@ def _has_scenes(script: tree.Script) -> bool:
 # ------------------------------------------------------------------------------------------------ definitions
 
 
-def _define(project: Project, script: tree.Script, overrides: Mapping[str, str]) -> None:
+def define(project: Project, script: tree.Script, overrides: Mapping[str, str] = NOTHING) -> None:
+    """Gives the project the names that a script and what it uses define; `overrides` as for `resolve`."""
     others = used(project, script)
     project.spoilt_lines, names = spoilt(project.diagnostics)
     project.spoilt = names.union(script.lost, *(other.lost for other in others))

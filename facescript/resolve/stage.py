@@ -1,19 +1,17 @@
-"""`wait`, `background`, `view` and `life` to acts."""
+"""`wait`, `view` and `life` to acts."""
 
 from __future__ import annotations
 
-from facescript.ir.acts import SetBackground, SetLife, View, Wait, WaitUntil
-from facescript.resolve.files import project_path
+from facescript.ir.acts import SetLife, View, Wait, WaitUntil
 from facescript.resolve.lines import Line
 from facescript.resolve.lives import life_of
 from facescript.resolve.place import Place, face_named
 from facescript.resolve.project import Project
-from facescript.resolve.reader import Reader, over
+from facescript.resolve.reader import over
 from facescript.resolve.scope import Scope, expand, inside
 from facescript.resolve.sums import moment, read_quantity
 from facescript.resolve.units import SHARE, TIME
-from facescript.syntax.tree import Colour, Dotted, Name, String, Word
-from facescript.text import Span
+from facescript.syntax.tree import Name
 
 
 def wait(project: Project, line: Line, place: Place) -> Wait | WaitUntil:
@@ -25,14 +23,6 @@ def wait(project: Project, line: Line, place: Place) -> Wait | WaitUntil:
     duration = read_quantity(project, reader, TIME)
     line.finish(reader)
     return Wait(duration)
-
-
-def background(project: Project, line: Line, place: Place) -> SetBackground:
-    reader = line.reader()
-    reader.next()
-    colour, picture = _backdrop(project, reader)
-    line.finish(reader)
-    return SetBackground(colour, picture, line.amount("over", TIME) or 0.0)
 
 
 def view(project: Project, line: Line, place: Place) -> View:
@@ -63,32 +53,3 @@ def _viewed(project: Project, word: Name, scope: Scope, place: Place) -> str:
     if face in project.faces and not project.faces[face].seen:
         raise project.refuse("FS236", word.span, name=face)
     return face
-
-
-def _backdrop(project: Project, reader: Reader) -> tuple[str | None, str | None]:
-    """A colour or a picture's path. Raises `Refused`."""
-    word = reader.next()
-    if isinstance(word, Colour):
-        return word.text.lower(), None
-    if isinstance(word, String):
-        return None, _picture(project, word.value, word.span)
-    if isinstance(word, Name | Dotted):
-        expansion = expand(project, word, reader.scope)
-        if expansion is not None:
-            with inside(project, expansion, word.span):
-                if expansion.cell is not None and not _is_colour(expansion.words):
-                    return None, _picture(project, expansion.cell.text, word.span)
-                return _backdrop(project, Reader(expansion.words, expansion.scope, word.span))
-    span = word.span if word is not None else reader.span
-    raise project.refuse("FS314", span, text=span.text, advice='or a picture such as `"room.png"`')
-
-
-def _is_colour(words: tuple[Word, ...]) -> bool:
-    return len(words) == 1 and isinstance(words[0], Colour)
-
-
-def _picture(project: Project, path: str, span: Span) -> str:
-    found = project_path(span, path)
-    if not project.world.exists(found):
-        raise project.refuse("FS701", span, path=path, reason="there is no such file")
-    return found

@@ -83,6 +83,10 @@ MODIFIERS: dict[str, Modifier] = _rows(
     _valued("nods", "percentage", "how deep the head nods before pauses of its speech"),
     _valued("saccades", "rate", "idle saccades a minute"),
     _valued("avert", "percentage", "how far the eyes turn away at times: 100% is 30 degrees"),
+    _fixed("top to bottom", "course", "the first colour above, the last below"),
+    _fixed("left to right", "course", "the first colour at the viewer's left, the last at the right"),
+    Modifier("towards", ("towards", VALUE), "angle", "where the last colour is: 0deg is right, 90deg up", "course"),
+    _fixed("round", "course", "the first colour in the middle, the last in the corners"),
 )
 
 GAZE = ("eyes then head", "head then eyes", "eyes only", "head only", "head", "speed", "latency")
@@ -90,6 +94,8 @@ KNOBS = ("blink", "brows", "sway", "nods", "saccades", "avert")
 CHANGE = ("over", "for", "back", "ease", "as")
 MANNERS = ("posed", "spontaneous")
 LASTING = ("over", "for", "as")
+COURSES = ("top to bottom", "left to right", "towards", "round")
+NOTHING = "none"
 VOICE = ("rate", "pitch", "volume")
 
 
@@ -118,7 +124,13 @@ VERBS: dict[str, Verb] = _verbs(
     Verb("say", 'say "TEXT"', (*VOICE, "from", "timed", "as"), "the face's voice", "speaks a text"),
     Verb("play", 'play "FILE"', ("as",), "", "performs recorded channels"),
     Verb("wait", "wait TIME", ("as",), "", "lets time pass; `wait until TIME` waits for a moment"),
-    Verb("background", 'background COLOUR|"PICTURE"', ("over", "as"), "over 0ms", "sets what is behind the faces"),
+    Verb(
+        "background",
+        'background COLOUR [to COLOUR]|"PICTURE"|none',
+        (*COURSES, "over", "as"),
+        "top to bottom, over 0ms",
+        "sets what is behind the faces",
+    ),
     Verb("view", "view FACE PERCENTAGE|all", ("over", "as"), "all, over 0ms", "moves the camera to a face, or to all"),
     Verb("life", "life PRESET", (*KNOBS, "over", "as"), "over 0ms", "sets what the face does unasked"),
 )
@@ -202,7 +214,7 @@ _GIVEN = "all away camera down left neutral right up"
 _CHANNELS = "brow cheek chin eye forehead gaze head lid lip mouth nose pupil"
 
 WORDS: frozenset[str] = frozenset(
-    {*VERBS, *DIRECT, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}
+    {*VERBS, *DIRECT, NOTHING, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}
 )
 """The language's own words: no definition, parameter or label may bear them."""
 

@@ -52,8 +52,8 @@ def _rest(verb: Verb) -> str:
     match verb:
         case Drop(name):
             return f"drop {name}"
-        case SetBackground(colour, picture):
-            return f"background {colour}" if colour else f'background "{picture}"'
+        case SetBackground():
+            return f"background {_ground(verb)}"
         case View(face, zoom):
             return f"view {face or 'all'}{'' if zoom == 1.0 else f' {percent(zoom)}'}"
         case SetLife(life):
@@ -63,6 +63,20 @@ def _rest(verb: Verb) -> str:
         case WaitUntil():
             return "wait until"
     raise ValueError(f"no verb: {verb}")
+
+
+def _ground(background: SetBackground) -> str:
+    if background.picture is not None:
+        return f'"{background.picture}"'
+    if background.gradient is None:
+        return background.colour or "none"
+    return f"{' to '.join(background.gradient.colours)}{_course(background.gradient.towards)}"
+
+
+def _course(towards: float | None) -> str:
+    if towards is None:
+        return ", round"
+    return {-90.0: "", 0.0: ", left to right"}.get(towards, f", towards {towards:g}deg")
 
 
 def percent(share: Amount) -> str:

@@ -9,28 +9,36 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.canvas.thorvg import Canvas, Outline
+from facescript.pictures import PictureFailure
 from facescript.rig.picture import Paint
-from facescript.stage.ground import Backdrop, Ground, Layer, Photo
-from facescript.stage.photo import PictureFailure, photo
+from facescript.stage.ground import Backdrop, Clear, Ground, Layer, Photo
+from facescript.stage.photo import photo
 from facescript.world import WorldFailure
 
 Pixels = NDArray[np.uint32]
+
+CLEAR, WHITE = 0x00000000, 0xFFFFFFFF
+"""What shows where nothing is behind the faces: nothing, or for outputs that cannot be transparent white."""
 
 KEPT = 4
 """Painted layers kept: those of a change, and as many that may come back."""
 
 
 class Backcloth:
-    """Paints grounds of one size. The same ground gives the same array, which must not be changed."""
+    """Paints grounds of one size. The same ground gives the same array, which must not be changed.
 
-    def __init__(self, width: int, height: int, pictures: Callable[[str], bytes]) -> None:
+    `under` is the pixel of a ground that is nothing.
+    """
+
+    def __init__(self, width: int, height: int, pictures: Callable[[str], bytes], under: int = CLEAR) -> None:
         self._width, self._height = width, height
+        self._under = under
         self._pictures = pictures
         self._layer = lru_cache(KEPT)(self._painted)
         self._last: tuple[Ground, Pixels] | None = None
 
     def paint(self, ground: Ground) -> Pixels:
-        """array[y, x] of 0xFFRRGGBB. Raises `PictureFailure` where a picture cannot be used."""
+        """array[y, x] of 0xAARRGGBB, premultiplied. Raises `PictureFailure` where a picture cannot be used."""
         if self._last is None or self._last[0] != ground:
             self._last = ground, self._mixed(ground)
         return self._last[1]
@@ -44,6 +52,8 @@ class Backcloth:
     def _painted(self, layer: Layer) -> Pixels:
         if isinstance(layer, Photo):
             return self._photo(layer.path)
+        if isinstance(layer, Clear):
+            return np.full((self._height, self._width), self._under, dtype=np.uint32)
         return self._filled(layer.paint if isinstance(layer, Backdrop) else layer)
 
     def _photo(self, path: str) -> Pixels:

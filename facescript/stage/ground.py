@@ -1,12 +1,13 @@
-"""What lies behind the faces at a time: colours, gradients and pictures, and the way from one to the next."""
+"""What lies behind the faces at a time: colours, gradients, pictures or nothing, and the way from one to the next."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
-from facescript.ir.acts import SetBackground
-from facescript.rig.picture import Linear, Paint, Stop
-from facescript.schedule.score import Score
+from facescript.ir.acts import Gradient, SetBackground
+from facescript.rig.picture import Linear, Paint, Radial, Stop
+from facescript.schedule.score import Score, TimedAct
 from facescript.stage.timeline import Timeline
 
 PAPER = Linear((Stop(0.0, "#f4f2ee"), Stop(1.0, "#e4ddd2")))
@@ -30,18 +31,29 @@ class Backdrop:
     paint: Paint
 
 
-Layer = str | Photo | Backdrop
-"""A colour `#rrggbb`, a picture, or the art's own."""
+@dataclass(frozen=True, slots=True)
+class Clear:
+    """Nothing: what lies under the picture shows."""
+
+
+Layer = Paint | Photo | Backdrop | Clear
+"""A colour `#rrggbb` or a gradient over the whole film, a picture, the art's own, or nothing."""
 
 Ground = tuple[tuple[Layer, float], ...]
-"""Layers, lowest first, each with the share (0..1) by which it covers those before it; the first covers all."""
+"""Layers, lowest first, each with the share (0..1) by which it replaces those before it; the first covers all."""
+
+CORNERS = math.sqrt(0.5)
+"""The radius at which a gradient around the middle reaches the film's corners, in fractions of its sides."""
 
 
 class Grounds:
-    """The backgrounds of a score over time. `own` is the art's backdrop paint."""
+    """The backgrounds of a score over time. `own` is the art's backdrop paint; `clear` is the first act that lets
+    what lies under the picture show, None where the picture is opaque throughout."""
 
     def __init__(self, score: Score, own: Paint) -> None:
-        acts = [(act, _layer(act.verb)) for act in score.acts if isinstance(act.verb, SetBackground)]
+        size = score.film.width, score.film.height
+        acts = [(act, _layer(act.verb, size)) for act in score.acts if isinstance(act.verb, SetBackground)]
+        self.clear: TimedAct | None = next((act for act, layer in acts if isinstance(layer, Clear)), None)
         first: Layer = Backdrop(own)
         self._timeline = Timeline(score, first, acts)
 
@@ -57,10 +69,26 @@ def own_share(ground: Ground) -> float:
     return shown
 
 
-def _layer(background: SetBackground) -> Layer:
+def _layer(background: SetBackground, size: tuple[int, int]) -> Layer:
     if background.picture is not None:
         return Photo(background.picture)
-    return _opaque(background.colour or "#ffffff")
+    if background.gradient is not None:
+        return _paint(background.gradient, size)
+    return Clear() if background.colour is None else _opaque(background.colour)
+
+
+def _paint(gradient: Gradient, size: tuple[int, int]) -> Paint:
+    """A gradient as the paint of a rectangle of `size` px; across the film it runs at its angle in pixels."""
+    last = len(gradient.colours) - 1
+    stops = tuple(Stop(number / last, _opaque(colour)) for number, colour in enumerate(gradient.colours))
+    if gradient.towards is None:
+        return Radial(stops, radius=CORNERS)
+    angle = math.radians(gradient.towards)
+    # Paints count in fractions of the rectangle: there the lines of one colour stand square on (x, y).
+    x, y = size[0] * math.cos(angle), -size[1] * math.sin(angle)
+    reach = (abs(x) + abs(y)) / (2 * (x * x + y * y))
+    x, y = x * reach, y * reach
+    return Linear(stops, (0.5 - x, 0.5 - y), (0.5 + x, 0.5 + y))
 
 
 def _opaque(colour: str) -> str:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from facescript.performance.performance import Performance
 from facescript.rig.picture import Shape
-from facescript.schedule.score import Score
+from facescript.schedule.score import Score, TimedAct
 from facescript.space.layout import lay_out
 from facescript.stage.actor import BACKDROP, Actor, moved
 from facescript.stage.ground import PAPER, Ground, Grounds, own_share
@@ -34,6 +34,7 @@ class Stage:
 
     `shapes` are in drawing order: the backdrops of all faces, then face by face. With several faces their ids carry
     the face's name (`ada-mouth`); `owners` are the shapes' faces. `pictures` reads a background picture by its path.
+    `clear` is the first act that makes the ground transparent, None where none does.
     """
 
     def __init__(self, score: Score, performance: Performance, pictures: Callable[[str], bytes]) -> None:
@@ -49,6 +50,7 @@ class Stage:
         self._place()
         paints = [actor.ground for actor in self._actors if actor.ground is not None]
         self._grounds = Grounds(score, paints[0] if paints else PAPER)
+        self.clear: TimedAct | None = self._grounds.clear
 
     def frames(self, times: Floats) -> StageFrames:
         """The picture at `times` (seconds from the film's start, any order)."""

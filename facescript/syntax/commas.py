@@ -49,6 +49,7 @@ _BEGIN = {
     "say": _VOICE,
     "play": _VOICE,
     "life": _KNOBS,
+    "background": frozenset(("left", "top", "towards", "round")),
     "film": frozenset(("seed", "screen")),
     "face": frozenset(("voice", "size", "life", "gaze", "hair")) | _VOICE | _KNOBS,
 }

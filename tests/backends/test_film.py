@@ -184,8 +184,9 @@ def test_numbered_pngs_are_the_frames_in_their_order(job: Job, tmp_path: Path) -
 
 def test_a_broken_picture_is_a_failure_with_its_name(tmp_path: Path) -> None:
     before = children()
-    (tmp_path / "sky.png").write_bytes(b"no picture")
+    Image.new("RGB", (8, 8)).save(tmp_path / "sky.png")
     bad = job_of('background "sky.png"\nnod\n', tmp_path, 0.2)
+    (tmp_path / "sky.png").write_bytes(b"a picture no more")
     for jobs in (1, 2):
         with pytest.raises(JobFailure, match=r"`sky\.png` cannot be used"):
             write_mp4(replace(bad, jobs=jobs, end=CHUNK * 2 / 30), tmp_path / "film.mp4")

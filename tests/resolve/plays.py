@@ -161,7 +161,7 @@ def verb(item: acts.Verb) -> str:
     if isinstance(item, acts.WaitUntil):
         return f"wait until {moment(item.moment)}"
     if isinstance(item, acts.SetBackground):
-        return f"background {item.colour or item.picture} over {amount(item.over)}"
+        return f"background {item.colour or item.picture or item.gradient} over {amount(item.over)}"
     if isinstance(item, acts.View):
         return f"view {item.face or 'all'} {amount(item.zoom)} over {amount(item.over)}"
     if isinstance(item, acts.SetLife):

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.diagnostics.model import Diagnostics
 from facescript.ir.acts import Life, Voice
 from facescript.ir.play import Face
 from facescript.performance.channels import INDEX, NAMES
 from facescript.performance.performance import REST
+from facescript.resolve.resolver import resolve
+from facescript.syntax.parser import parse
 from facescript.text import Source, Span
+from facescript.world import World
 
 Floats = NDArray[np.float64]
 
@@ -36,6 +42,14 @@ def plain(kind: str, **looks: str) -> Face:
     """A face of a kind, in its usual looks but for those given."""
     here = Span(Source("here.face", ""), 0, 0)
     return Face("ada", kind, Voice(), Life("still"), here, looks=tuple(looks.items()))
+
+
+def script_face(text: str) -> Face:
+    """The first face of a script."""
+    diagnostics = Diagnostics()
+    play = resolve(parse(Source("here.face", text), diagnostics), World(Path()), diagnostics)
+    assert play is not None, [item.message for item in diagnostics]
+    return play.faces[0]
 
 
 def span(name: str) -> tuple[float, float]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from facescript.ir.acts import Life, SetBackground, Verb, View, Voice
+from facescript.ir.acts import Gradient, Life, SetBackground, Verb, View, Voice
 from facescript.ir.play import Face, Film
 from facescript.ir.values import PicturePlace
 from facescript.performance.channels import INDEX
@@ -72,8 +72,12 @@ def act(verb: Verb, start: float, settled: float, scene: int = 0) -> TimedAct:
     return TimedAct(0, verb, None, scene, start, settled, FOREVER, FOREVER, NOWHERE)
 
 
-def background(colour: str, start: float, over: float = 0.0, scene: int = 0) -> TimedAct:
+def background(colour: str | None, start: float, over: float = 0.0, scene: int = 0) -> TimedAct:
     return act(SetBackground(colour, None, over), start, start + over, scene)
+
+
+def gradient(*colours: str, towards: float | None = -90.0) -> TimedAct:
+    return act(SetBackground(None, None, gradient=Gradient(colours, towards)), 0.0, 0.0)
 
 
 def view(of: str | None, zoom: float, start: float, over: float = 0.0) -> TimedAct:

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from facescript.pictures import MOST_PIXELS, PictureFailure
 from facescript.rig.picture import Linear, Stop
-from facescript.stage.backcloth import Backcloth
-from facescript.stage.ground import Backdrop, Photo
-from facescript.stage.photo import MOST_PIXELS, PictureFailure, photo
+from facescript.stage.backcloth import WHITE, Backcloth
+from facescript.stage.ground import Backdrop, Clear, Photo
+from facescript.stage.photo import photo
 from facescript.world import WorldFailure
 
 WIDTH, HEIGHT = 64, 36
@@ -48,6 +49,18 @@ def test_a_gradient_spans_the_film() -> None:
     assert blue[0] < 12
     assert blue[-1] > 243
     assert (np.diff(blue.astype(int)) > 0).all()
+
+
+def test_nothing_is_clear_or_what_lies_under_it() -> None:
+    assert (cloth().paint(((Clear(), 1.0),)) == 0).all()
+    white = Backcloth(WIDTH, HEIGHT, lambda path: b"", WHITE)
+    assert (white.paint(((Clear(), 1.0),)) == 0xFFFFFFFF).all()
+
+
+def test_a_way_to_nothing_and_back_is_premultiplied() -> None:
+    for ground in (((Clear(), 1.0), ("#ff8000", 0.5)), (("#ff8000", 1.0), (Clear(), 0.5))):
+        pixel = int(cloth().paint(ground)[5, 5])
+        assert [pixel >> shift & 0xFF for shift in (24, 16, 8, 0)] == pytest.approx([127, 127, 64, 0], abs=1)
 
 
 def test_the_same_ground_is_painted_once() -> None:

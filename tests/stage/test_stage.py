@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from players import WALL, BlockRig, background, face, performance_of, scenery, score_of, view
+from players import WALL, BlockRig, background, face, gradient, performance_of, scenery, score_of, view
 
 from facescript.ir.play import Film
 from facescript.ir.values import PicturePlace
 from facescript.schedule.score import Score, TimedScene
 from facescript.stage import actor
-from facescript.stage.ground import Backdrop, own_share
+from facescript.stage.backcloth import Backcloth
+from facescript.stage.ground import Backdrop, Clear, own_share
 from facescript.stage.stage import Stage
 
 
@@ -127,7 +128,48 @@ def test_a_translucent_colour_lies_on_white() -> None:
     assert stage.frames(np.zeros(1)).grounds == ((("#7f7f7f", 1.0),),)
 
 
+def test_a_background_of_nothing_is_clear_and_told() -> None:
+    stage = staged(score_of([face("ada")], [background("#ff0000", 0.0), background(None, 1.0, over=2.0)]))
+    half, clear = stage.frames(np.array([2.0, 3.0])).grounds
+    assert half == (("#ff0000", 1.0), (Clear(), pytest.approx(0.5)))
+    assert clear == ((Clear(), 1.0),)
+    assert stage.clear is not None
+    assert stage.clear.start == 1.0
+    assert staged(score_of([face("ada")], [background("#ff0000", 0.0)])).clear is None
+
+
+def lightness(towards: float | None, *colours: str) -> np.ndarray:
+    """array[y, x]: the blue of a gradient that fills a film of 160 x 90."""
+    film = Film(160, 90)
+    stage = staged(score_of([face("ada")], [gradient(*colours, towards=towards)], film=film))
+    cloth = Backcloth(film.width, film.height, lambda path: b"")
+    return (cloth.paint(stage.frames(np.zeros(1)).grounds[0]) & 0xFF).astype(float)
+
+
+@pytest.mark.parametrize("towards", [-90.0, 0.0, 45.0, 90.0, 150.0, 765.0])
+def test_a_gradient_goes_towards_its_angle_in_pixels(towards: float) -> None:
+    seen = lightness(towards, "#000000", "#ffffff")
+    slope = np.array([np.gradient(seen[:, 20:-20], axis=1).mean(), -np.gradient(seen[20:-20], axis=0).mean()])
+    angle = np.radians(towards)
+    assert slope / np.linalg.norm(slope) == pytest.approx([np.cos(angle), np.sin(angle)], abs=0.05)
+    assert seen.min() < 6
+    assert seen.max() > 249
+
+
+def test_a_round_gradient_goes_from_the_middle_to_the_corners() -> None:
+    seen = lightness(None, "#ffffff", "#000000")
+    assert seen[45, 80] > 249
+    assert max(seen[0, 0], seen[0, -1], seen[-1, 0], seen[-1, -1]) < 6
+    assert seen[45, 0] == pytest.approx(seen[0, 80], abs=6)
+
+
+def test_the_colours_of_a_gradient_stand_at_even_steps_and_on_white() -> None:
+    seen = lightness(0.0, "#000000", "#0000ff00", "#000000")
+    assert [seen[45, x] for x in (0, 40, 80, 120, 159)] == pytest.approx([2, 128, 255, 128, 2], abs=4)
+
+
 def test_own_share_counts_what_covers_it() -> None:
+    assert own_share(((Backdrop(WALL), 1.0), (Clear(), 0.25))) == 0.75
     assert own_share(((Backdrop(WALL), 1.0), ("#000000", 0.25))) == 0.75
     assert own_share((("#000000", 1.0), (Backdrop(WALL), 0.25))) == 0.25
 

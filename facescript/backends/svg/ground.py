@@ -1,4 +1,7 @@
-"""The ground over time to SVG: a rectangle of changing colour, above it what is no colour, as opaque as it shows."""
+"""The ground over time to SVG: a rectangle of changing colour, above it what is no colour, as opaque as it shows.
+
+A ground that is nothing has no element: where it shows, the rectangle lets the page through.
+"""
 
 from __future__ import annotations
 
@@ -12,27 +15,46 @@ from numpy.typing import NDArray
 from facescript.backends.svg.keys import Swing
 from facescript.backends.svg.paint import Paints
 from facescript.backends.svg.track import Clock, Track, animate, svg
-from facescript.stage.ground import Backdrop, Ground, Photo
+from facescript.rig.picture import Linear, Radial
+from facescript.stage.ground import Backdrop, Clear, Ground, Layer, Photo
 
 Floats = NDArray[np.float64]
 
 SHADE = 0.02
-"""The smallest step of opacity worth a number."""
+"""The smallest step of a shape's opacity worth a number."""
+
+VEIL = 0.004
+"""The same of a ground: it fills the film, so that a little of it would be seen."""
 
 COLOUR_OFF = 1.5
 """How far a colour may be off, of 255."""
 
-KINDS = {b"\x89PNG": "image/png", b"\xff\xd8\xff": "image/jpeg", b"GIF8": "image/gif", b"RIFF": "image/webp"}
+KINDS = {
+    b"\x89PNG": "image/png",
+    b"\xff\xd8\xff": "image/jpeg",
+    b"GIF8": "image/gif",
+    b"RIFF": "image/webp",
+    b"BM": "image/bmp",
+}
 """First bytes of pictures that browsers show, and what they are called."""
 
 
+Above = Linear | Radial | Photo | Backdrop
+"""What is neither a colour nor nothing, and has an element of its own."""
+
+
 class Behind:
-    """Follows the grounds of frames in time order; `layers` are those that are no colour, in the order they come."""
+    """Follows the grounds of frames in time order; `layers` are those that are no colour, in the order they come.
+
+    `colour` is the rectangle's as of the last moment, `solid` its opacity, and both stay while other layers hide it.
+    """
 
     def __init__(self) -> None:
-        self.layers: list[Backdrop | Photo] = []
-        self.rows: list[tuple[float, Floats, dict[Backdrop | Photo, float]]] = []
+        self.layers: list[Above] = []
+        self.rows: list[tuple[float, Floats, dict[Above, float]]] = []
         self.colour = np.full(3, 255.0)
+        self.solid = 0.0
+        self.solids: list[tuple[float, Floats]] = []
 
     def take(self, time: float, ground: Ground) -> None:
         """The ground of the next moment; what does not differ from the one before is kept once."""
@@ -40,23 +62,27 @@ class Behind:
         colours = {layer: share for layer, share in shares.items() if isinstance(layer, str)}
         if total := sum(colours.values()):
             self.colour = sum((_rgb(layer) * share for layer, share in colours.items()), np.zeros(3)) / total
-        others = {layer: share for layer, share in shares.items() if not isinstance(layer, str)}
+        if low := total + shares.get(Clear(), 0.0):
+            self.solid = total / low
+        others = {layer: share for layer, share in shares.items() if not isinstance(layer, str | Clear)}
         self.layers += [layer for layer in others if layer not in self.layers]
-        self.rows.append((time, self.colour, _covers(others, self.layers, total)))
+        self.rows.append((time, self.colour, _covers(others, self.layers, low)))
+        self.solids.append((time, np.array([self.solid / VEIL])))
 
     def elements(
         self, size: tuple[int, int], read: Callable[[str], bytes], paints: Paints, clock: Clock
     ) -> Iterable[etree._Element]:
         """The rectangle and the layers above it, animated; times count from the first moment."""
         box = {"width": str(size[0]), "height": str(size[1])}
-        rectangle = svg("rect", **box)
-        animate(rectangle, "fill", self._colours(), clock)
-        yield rectangle
+        solid = _opacity(self.solids)
+        if not solid.still or solid.values[0] != "0":
+            rectangle = svg("rect", **box)
+            animate(rectangle, "fill", self._colours(), clock)
+            if not solid.still or solid.values[0] != "1":
+                animate(rectangle, "opacity", solid, clock)
+            yield rectangle
         for layer in self.layers:
-            if isinstance(layer, Photo):
-                element = svg("image", href=_address(read(layer.path)), preserveAspectRatio="xMidYMid slice", **box)
-            else:
-                element = svg("rect", fill=paints.fill(layer.paint), **box)
+            element = _photo(read(layer.path), box) if isinstance(layer, Photo) else _filled(layer, paints, box)
             animate(element, "opacity", self._covering(layer), clock)
             yield element
 
@@ -65,26 +91,39 @@ class Behind:
         texts = ["#" + "".join(f"{min(max(part, 0), 255):02x}" for part in values) for _, values in keys]
         return Track([time for time, _ in keys], texts)
 
-    def _covering(self, layer: Backdrop | Photo) -> Track:
-        rows = [(time, np.array([covers.get(layer, 0.0) / SHADE])) for time, _, covers in self.rows]
-        keys = _keys(rows, 1.0)
-        texts = [f"{min(max(values[0] * SHADE, 0.0), 1.0):.2f}".rstrip("0").rstrip(".") for _, values in keys]
-        return Track([time for time, _ in keys], texts)
+    def _covering(self, layer: Above) -> Track:
+        return _opacity([(time, np.array([covers.get(layer, 0.0) / VEIL])) for time, _, covers in self.rows])
 
 
-def _shares(ground: Ground) -> dict[str | Backdrop | Photo, float]:
+def _opacity(rows: list[tuple[float, Floats]]) -> Track:
+    keys = _keys(rows, 1.0)
+    texts = [f"{min(max(values[0] * VEIL, 0.0), 1.0):.3f}".rstrip("0").rstrip(".") for _, values in keys]
+    return Track([time for time, _ in keys], texts)
+
+
+def _photo(data: bytes, box: dict[str, str]) -> etree._Element:
+    """A picture that fills the film; what is clear in it is white."""
+    group = svg("g")
+    group.append(svg("rect", fill="#ffffff", **box))
+    group.append(svg("image", href=_address(data), preserveAspectRatio="xMidYMid slice", **box))
+    return group
+
+
+def _filled(layer: Linear | Radial | Backdrop, paints: Paints, box: dict[str, str]) -> etree._Element:
+    return svg("rect", fill=paints.fill(layer.paint if isinstance(layer, Backdrop) else layer), **box)
+
+
+def _shares(ground: Ground) -> dict[Layer, float]:
     """How much of each layer shows; the sum is 1."""
-    shares: dict[str | Backdrop | Photo, float] = {}
+    shares: dict[Layer, float] = {}
     for layer, share in ground:
         shares = {other: old * (1 - share) for other, old in shares.items()}
         shares[layer] = shares.get(layer, 0.0) + share
     return shares
 
 
-def _covers(
-    others: dict[Backdrop | Photo, float], order: list[Backdrop | Photo], below: float
-) -> dict[Backdrop | Photo, float]:
-    """The opacity of each layer, drawn in `order` over colours that show by `below`, that gives it its share."""
+def _covers(others: dict[Above, float], order: list[Above], below: float) -> dict[Above, float]:
+    """The opacity of each layer, drawn in `order` over what shows by `below`, that gives it its share."""
     covers = {}
     for layer in order:
         share = others.get(layer, 0.0)

@@ -90,4 +90,15 @@ FILES: tuple[Entry, ...] = (
             "track.csv": "time,x,y,z\n0,-30,0,200\n0.1,30,0,200\n",
         },
     ),
+    Entry(
+        "FS720",
+        "picture",
+        Severity.ERROR,
+        "The picture “{path}” cannot be used: {reason}.",
+        'background "notes.png"\nnod\n',
+        "background #dfe8f2\nnod\n",
+        "A picture is a PNG, JPEG, WebP, GIF or BMP file of at most 64 million pixels. Its bytes count, not its name: "
+        "save it anew as one of these.",
+        files={"notes.png": "Buy a picture of the sea.\n"},
+    ),
 )

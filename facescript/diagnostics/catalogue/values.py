@@ -249,4 +249,13 @@ VALUES: tuple[Entry, ...] = (
         "show smile back in 1s\n",
         "show smile for 2s back in 1s\n",
     ),
+    Entry(
+        "FS340",
+        "gradient",
+        Severity.ERROR,
+        "This gradient cannot be drawn: {reason}.",
+        "background #102040, left to right\nnod\n",
+        "background #102040 to #304060, left to right\nnod\n",
+        "A gradient goes through 2 to 16 colours: `background #102040 to #c06040 to #f0d080`.",
+    ),
 )

@@ -75,6 +75,7 @@ class _Reader:
         first = phrases[0].words[0]
         name = spelled(first)
         if name not in ROWS:
+            self.spoilt = True
             clause, fixes = self.project.meant(name, ROWS, first.span)
             raise self.project.refuse("FS240", first.span, fixes=fixes, name=first.span.text, meant=clause)
         row = Row(self.project, phrases, ROWS[name])

@@ -16,14 +16,17 @@ from facescript.syntax.tree import Declaration
 from facescript.text import Source
 from facescript.world import World
 
+PEOPLE = ("woman", "man")
+
 FOLDER = "faces"
 """Where the library's kinds lie, below the library, one file each."""
 
 
 @cache
 def kind_names() -> tuple[str, ...]:
-    """The kinds of the library, in the order of their names."""
-    return tuple(path.stem for path in sorted((folder("stdlib") / FOLDER).glob("*.face")))
+    """The kinds of the library: people first, then the others in the order of their names."""
+    names = {path.stem for path in (folder("stdlib") / FOLDER).glob("*.face")}
+    return (*PEOPLE, *sorted(names.difference(PEOPLE)))
 
 
 @cache

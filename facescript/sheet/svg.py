@@ -1,0 +1,96 @@
+"""A sheet to an `.svg`: the page, and each face as paths in its places; what two places share is written once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from pathlib import Path
+
+import numpy as np
+from lxml import etree
+
+from facescript.backends.svg.paint import Paints
+from facescript.backends.svg.path import path_text
+from facescript.backends.svg.track import svg
+from facescript.plot.svg import document, told
+from facescript.rig.picture import Shape
+from facescript.sheet.page import Page, Spot
+from facescript.sheet.poses import Floats, Portraits, portraits
+
+SIDE = 720
+"""A face is drawn so wide, to whole units, and made small: that is a quarter of a pixel of a usual cell."""
+
+SHADE = 100
+"""Steps of opacity from clear to full."""
+
+
+def write_svg(page: Page, path: Path) -> None:
+    """One self-contained file, the same bytes each time."""
+    path.write_bytes(etree.tostring(sheet(page), encoding="utf-8", xml_declaration=True) + b"\n")
+
+
+def sheet(page: Page) -> etree._Element:
+    """The whole page as one `svg` element."""
+    root, pen = document(page.drawing), Pen()
+    for _, group in groupby(page.spots, key=lambda spot: (spot.face.name, spot.close)):
+        spots = list(group)
+        drawn = portraits(spots[0].face, [spot.cell for spot in spots], SIDE, spots[0].close)
+        for number, spot in enumerate(spots):
+            root.append(_portrait(spot, drawn, number, pen))
+    definitions = svg("defs")
+    definitions.extend([*pen.paints.elements(), *pen.clips.values()])
+    root.insert(2, definitions)
+    return root
+
+
+def _portrait(spot: Spot, drawn: Portraits, number: int, pen: Pen) -> etree._Element:
+    """A picture in the picture, which cuts off what goes beyond it."""
+    place = {"x": str(spot.left), "y": str(spot.top), "width": str(spot.side), "height": str(spot.side)}
+    element = svg("svg", viewBox=f"0 0 {SIDE} {SIDE}", data_face=spot.face.name, **place)
+    element.append(told("title", f"{spot.face.name}: {spot.cell.label}"))
+    element.extend(pen.paths(drawn.shapes, drawn.points[number], drawn.opacity[number]))
+    return element
+
+
+class Pen:
+    """Shapes to elements. Paths, clips and paints that come again are the first ones used again."""
+
+    def __init__(self) -> None:
+        self.paints = Paints()
+        self.clips: dict[tuple[str, ...], etree._Element] = {}
+        self._paths: dict[tuple[str, ...], etree._Element] = {}
+        self._shared = 0
+
+    def paths(self, shapes: tuple[Shape, ...], points: Floats, opacity: Floats) -> Iterator[etree._Element]:
+        """The visible shapes of one frame, points array[point, 2] in px, opacity array[shape]."""
+        places = np.rint(points).astype(np.int64)
+        outlines = {shape.id: _outline(shape, places) for shape in shapes}
+        for shape, level in zip(shapes, np.rint(opacity * SHADE).astype(int).tolist(), strict=True):
+            if level > 0:
+                yield self._path(shape, outlines, level)
+
+    def _path(self, shape: Shape, outlines: dict[str, str], level: int) -> etree._Element:
+        clip = self._clip(outlines[name] for name in shape.clip) if shape.clip else ""
+        look = {"fill": self.paints.fill(shape.fill), "d": outlines[shape.id]}
+        look |= {"opacity": f"{level / SHADE:g}"} if level < SHADE else {}
+        look |= {"clip_path": f"url(#{clip})"} if clip else {}
+        first = self._paths.get(key := tuple(look.values()))
+        if first is None:
+            self._paths[key] = path = svg("path", **look)
+            return path
+        if first.get("id") is None:
+            self._shared += 1
+            first.set("id", f"p{self._shared}")
+        return svg("use", href=f"#{first.get('id')}")
+
+    def _clip(self, outlines: Iterable[str]) -> str:
+        key = tuple(outlines)
+        if key not in self.clips:
+            self.clips[key] = element = svg("clipPath", id=f"c{len(self.clips) + 1}")
+            element.extend(svg("path", d=outline) for outline in key)
+        return str(self.clips[key].get("id"))
+
+
+def _outline(shape: Shape, places: np.ndarray[tuple[int, ...], np.dtype[np.int64]]) -> str:
+    parts = [places[each.first : each.first + each.count] for each in shape.contours]
+    return path_text(np.concatenate(parts), tuple(each.count for each in shape.contours))
