@@ -11,7 +11,7 @@ from facescript.resolve.kinds.words import OTHER_SIGNALS
 from facescript.syntax.tree import Operator, Word
 from facescript.text import Span
 
-SIDED = (*MUSCLES, "lid", "ear", "muzzle", "near")
+SIDED = (*MUSCLES, "lid", "ear", "muzzle", "near", "far")
 SIGNALS = frozenset({*MUSCLES, *OTHER_SIGNALS, *(f"{name}.{side}" for name in SIDED for side in SIDES)})
 
 

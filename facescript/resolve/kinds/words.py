@@ -35,8 +35,8 @@ TINTED = ("skin", "hair", "eyes", "lips", "clothes", "glasses", "beard", "brows"
 """Families of colours that a face may have in another colour."""
 
 LAYERS = (
-    "background", "back", "hair-back", "neck", "clothes", "ears", "head", "face", "cheeks", "muzzle", "nose", "mouth",
-    "lips", "eye", "glasses", "brow", "beard", "hair-front", "front",
+    "background", "back", "hair-back", "neck", "clothes", "ears", "hair-middle", "head", "face", "cheeks", "muzzle", "nose",
+    "mouth", "lips", "eye", "glasses", "brow", "beard", "hair-front", "front",
 )  # fmt: skip
 """Groups of shapes, which pictures name; `eye` and `brow` are a layer for each side."""
 
@@ -51,8 +51,8 @@ EYE_SHAPES = (
     "eye-crows", "eye-lowerlid", "eye-line", "eye-lashes", "eye-crease",
 )  # fmt: skip
 MOUTH_SHAPES = (
-    "mouth-under", "mouth-cavity", "mouth-tongue", "mouth-teeth-upper", "mouth-teeth-lower", "mouth-lip-lower",
-    "mouth-lip-light", "mouth-lip-upper", "mouth-line",
+    "mouth-under", "mouth-cavity", "mouth-tongue", "mouth-teeth-upper", "mouth-teeth-lower", "mouth-teeth-gaps",
+    "mouth-lip-lower", "mouth-lip-light", "mouth-lip-upper", "mouth-line",
 )  # fmt: skip
 LIVE: Mapping[str, str] = {
     **dict.fromkeys(EYE_SHAPES, "eye"),
@@ -98,9 +98,9 @@ MOUTH: Mapping[str, tuple[int, bool]] = {
 }
 """Measures of the mouth, in the same way."""
 
-OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle", "near")
-"""What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`; `near` is 1 on a side that
-is turned to the viewer."""
+OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle", "near", "far")
+"""What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`; `near` and `far` are how far
+a side of the face is turned to the viewer, and away."""
 
 FARTHEST = 4000.0
 """Points that anything may lie from the middle between the eyes."""

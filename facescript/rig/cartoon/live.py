@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from facescript.performance.channels import INDEX, MUSCLES, NAMES, SIDES
+from facescript.performance.channels import INDEX, MUSCLES, SIDES
 from facescript.performance.performance import Frames
 from facescript.rig.cartoon.eyes import draw_eyes
 from facescript.rig.cartoon.lips import MouthState, Side
@@ -15,16 +15,16 @@ from facescript.rig.cartoon.style import FaceStyle
 Columns = dict[str, Floats]
 """Channels, and what follows from them, by name: array[frame]."""
 
-FLOORS = {"mouth.jaw": (0.0, 1.5), "mouth.teeth": (0.0, 1.0), "mouth.tongue": (0.0, 1.0), "mouth.round": (0.0, 1.0)}
+NEAR, FAR = (0.02, 0.36), (0.20, 0.70)
+"""The sine of yaw from which, and to which, a side comes to show what it has towards the viewer, and away from it."""
 
-NEAR = (0.02, 0.36)
-"""A side is turned to the viewer from the first sine of yaw on, and as much as it counts from the second."""
+FLOORS = {"mouth.jaw": (0.0, 1.5), "mouth.teeth": (0.0, 1.0), "mouth.tongue": (0.0, 1.0), "mouth.round": (0.0, 1.0)}
 
 
 def columns(frames: Frames) -> Columns:
     """Channels of poses array[frame, channel] by name; muscles and the mouth's parts within their ranges."""
     rows = np.ascontiguousarray(np.asarray(frames, dtype=np.float64).T)
-    named = {name: rows[INDEX[name]] for name in NAMES}
+    named = {name: rows[row] for name, row in INDEX.items()}
     for muscle in MUSCLES:
         for side in SIDES:
             name = f"{muscle}.{side}"
@@ -33,14 +33,14 @@ def columns(frames: Frames) -> Columns:
         named[name] = np.clip(named[name], low, high)
     named["chin"] = (named["chin.left"] + named["chin.right"]) / 2
     turned = np.sin(np.radians(named["head.yaw"]))
-    for side, sign in zip(SIDES, (-1.0, 1.0), strict=True):
-        named[f"near.{side}"] = step(NEAR[0], NEAR[1], sign * turned)
+    for side, away in (("left", turned), ("right", -turned)):
+        named[f"near.{side}"], named[f"far.{side}"] = step(*NEAR, -away), step(*FAR, away)
     return named
 
 
 def signal(named: Columns, name: str) -> Floats:
-    """A signal of a kind's rows by its name: a channel, what both sides have in the mean or one side has of what has
-    none (an amount), the ear's way up or down; one that the face does not have stays 0."""
+    """A signal of a kind's rows by its name: a channel, what both sides have in the mean, the ear's way up or down; one
+    that the face does not have stays 0."""
     if name in named:
         return named[name]
     base, _, way = name.partition(" ")
