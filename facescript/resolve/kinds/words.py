@@ -35,8 +35,8 @@ TINTED = ("skin", "hair", "eyes", "lips", "clothes", "glasses", "beard", "brows"
 """Families of colours that a face may have in another colour."""
 
 LAYERS = (
-    "background", "back", "hair-back", "neck", "clothes", "ears", "hair-middle", "head", "face", "cheeks", "muzzle", "nose",
-    "mouth", "lips", "eye", "glasses", "brow", "beard", "hair-front", "front",
+    "background", "back", "hair-back", "neck", "clothes", "ears", "hair-middle", "head", "face", "cheeks", "muzzle",
+    "nose", "mouth", "lips", "eye", "glasses", "brow", "beard", "hair-front", "front",
 )  # fmt: skip
 """Groups of shapes, which pictures name; `eye` and `brow` are a layer for each side."""
 
