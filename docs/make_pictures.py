@@ -59,10 +59,12 @@ scene a:
 
 STRIP = (
     ("woman", "", "show happiness 80%", 14),
-    ("man", ", hair #8a8f98, skin #6f4a35, clothes #7a3b2e", "show surprise 70%", -12),
-    ("woman", ", hair #2a2024, skin #9a6546, clothes #8e2f4f, lips #a03a4a", "show inquisitive", -20),
-    ("man", ", hair #c65f2a, skin #f3cdb0, clothes #2f5d4a", "show smile 90%", 22),
-    ("woman", ", hair #e0b35c, eyes #4f7fb5, clothes #5b3a6e", "show excitement 90%", -16),
+    ("dog", "", "show excitement 60%", -16),
+    ("man", ", seed 8", "show surprise 70%", -12),
+    ("woman", ", seed 5", "show inquisitive", -20),
+    ("gorilla", "", "show happiness 60%", 12),
+    ("woman", ", seed 7", "show smile 60%", 10),
+    ("rodent", "", "show surprise 60%", -14),
     ("man", "", "show anger 80%", 10),
 )
 """The strip of faces at the head of the README: kind, looks, what it shows, where it turns (deg)."""
@@ -77,6 +79,14 @@ scene a:
     add head.yaw {yaw}deg over 1ms
     {what}
     wait 1s
+"""
+
+STRANGER = """\
+film 440x440, screen none
+face x{kind} = {kind}, seed {seed}
+    life still
+show smile 40%
+wait 1s
 """
 
 GALLERY = {
@@ -98,6 +108,7 @@ GALLERY = {
     "idle": 5.2,
     "track": 7.5,
     "cueing": 0.6,
+    "monster": 0.9,
 }
 """Examples in the order of the gallery, and the moment of each that it shows, s."""
 
@@ -135,14 +146,17 @@ def main() -> None:
     shown = [frame(FEELING.format(kind=kinds[number % 2], what=what), 1.0) for number, what in enumerate(FEELINGS)]
     iio.imwrite(PLACE / "expressions.png", grid([small(picture) for picture in shown], 4))
     looks = (
-        ("woman", "", 38, 8),
-        ("man", ", hair #8a8f98, skin #6f4a35, clothes #7a3b2e", -34, 12),
-        ("woman", ", hair #e0b35c, eyes #4f7fb5, clothes #5b3a6e", 20, -22),
-        ("man", ", hair #c65f2a, skin #f3cdb0, clothes #2f5d4a", 30, 18),
+        ("woman", ", hair bob auburn, glasses round tortoise, clothes jumper forest", 38, 8),
+        ("man", ", hair afro black, skin brown, beard full, clothes shirt mustard", -34, 12),
+        ("woman", ", hair braids black, skin umber, earrings hoops, clothes tee plum, eyes dark", 20, -22),
+        ("man", ", hair parted grey, age 80%, glasses square black, clothes jumper navy", 30, 18),
     )
     turned = [frame(LOOKS.format(kind=k, looks=how, yaw=y, pitch=p), 1.5) for k, how, y, p in looks]
     iio.imwrite(PLACE / "looks.png", grid([small(picture) for picture in turned], 4))
     faces = [frame(STRIPPED.format(kind=k, looks=how, what=what, yaw=y), 0.9) for k, how, what, y in STRIP]
+    strangers = [frame(STRANGER.format(kind=("woman", "man")[seed % 2], seed=seed), 0.5) for seed in range(1, 13)]
+    lower(grid([small(picture) for picture in strangers], 6), 420).save(PLACE / "strangers.png", optimize=True)
+    lower(frame((EXAMPLES / "monster.face").read_text("utf-8"), 0.9, EXAMPLES), 400).save(PLACE / "monster.png", optimize=True)
     lower(grid([small(picture) for picture in faces], len(faces)), 220).save(PLACE / "faces.png", optimize=True)
     plots()
     gallery()
