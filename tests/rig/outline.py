@@ -42,3 +42,36 @@ def inside(point: Floats, outline: Floats) -> bool:
     with np.errstate(divide="ignore", invalid="ignore"):
         at = x + (point[1] - y) / (next_y - y) * (next_x - x)
     return bool((crosses & (point[0] < at)).sum() % 2)
+
+
+def outside(points: Floats, outline: Floats) -> float:
+    """How far (px) the farthest of points array[n, 2] lies outside a polygon array[point, 2]; 0 if all are inside."""
+    return max((_distance(point, outline) for point in points if not inside(point, outline)), default=0.0)
+
+
+def _distance(point: Floats, outline: Floats) -> float:
+    along = np.roll(outline, -1, axis=0) - outline
+    length = np.maximum((along**2).sum(axis=1), 1e-12)
+    t = np.clip(((point - outline) * along).sum(axis=1) / length, 0, 1)
+    return float(np.hypot(*(point - outline - t[:, None] * along).T).min())
+
+
+def folded(outline: Floats) -> float:
+    """Area (px^2) of the largest loop where a polygon array[point, 2] crosses itself; 0 if it does not."""
+    along = np.roll(outline, -1, axis=0) - outline
+    gap = outline[None] - outline[:, None]
+    across = _cross(along[:, None], along[None])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        here, there = _cross(gap, along[None]) / across, _cross(gap, along[:, None]) / across
+    hit = np.triu((here > 0) & (here < 1) & (there > 0) & (there < 1), 2)
+    largest = 0.0
+    for i, j in np.argwhere(hit):
+        meeting = outline[i] + here[i, j] * along[i]
+        loops = (outline[i + 1 : j + 1], np.concatenate([outline[j + 1 :], outline[: i + 1]]))
+        largest = max(largest, min(float(area(np.vstack([meeting, loop]))) for loop in loops))
+    return largest
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    out: Floats = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+    return out

@@ -11,9 +11,8 @@ from facescript.resolve.kinds.words import OTHER_SIGNALS
 from facescript.syntax.tree import Operator, Word
 from facescript.text import Span
 
-SIGNALS = frozenset(
-    {*MUSCLES, *OTHER_SIGNALS, *(f"{name}.{side}" for name in (*MUSCLES, "lid", "ear", "muzzle") for side in SIDES)}
-)
+SIDED = (*MUSCLES, "lid", "ear", "muzzle", "near", "far")
+SIGNALS = frozenset({*MUSCLES, *OTHER_SIGNALS, *(f"{name}.{side}" for name in SIDED for side in SIDES)})
 
 
 def pull(row: Row, amounts: Collection[str]) -> Pull:

@@ -51,8 +51,9 @@ EYE_SHAPES = (
     "eye-crows", "eye-rim", "eye-glow", "eye-lowerlid", "eye-line", "eye-lashes", "eye-crease",
 )  # fmt: skip
 MOUTH_SHAPES = (
-    "mouth-under", "mouth-cavity", "mouth-tongue", "mouth-teeth-upper", "mouth-teeth-lower", "mouth-lip-lower",
-    "mouth-lip-light", "mouth-muzzle", "mouth-philtrum", "mouth-tongue-line", "mouth-lip-upper", "mouth-line",
+    "mouth-under", "mouth-cavity", "mouth-tongue", "mouth-tongue-line", "mouth-teeth-upper", "mouth-teeth-lower",
+    "mouth-teeth-gaps", "mouth-lip-lower", "mouth-lip-light", "mouth-muzzle", "mouth-philtrum", "mouth-lip-upper",
+    "mouth-line",
 )  # fmt: skip
 LIVE: Mapping[str, str] = {
     **dict.fromkeys(EYE_SHAPES, "eye"),
@@ -127,11 +128,16 @@ ASKING: Mapping[str, str] = {
 }
 """Live shapes that are there only with a measure of the eyes or the mouth."""
 
-TOOTHED: Mapping[str, str] = {"mouth-teeth-upper": "teeth-upper", "mouth-teeth-lower": "teeth-lower"}
+TOOTHED: Mapping[str, str] = {
+    "mouth-teeth-upper": "teeth-upper",
+    "mouth-teeth-gaps": "teeth-upper",
+    "mouth-teeth-lower": "teeth-lower",
+}
 """Live shapes for which a mouth with a muzzle needs a measure."""
 
-OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle")
-"""What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`."""
+OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle", "near", "far")
+"""What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`; `near` and `far` are how far
+a side of the face is turned to the viewer, and away."""
 
 FARTHEST = 4000.0
 """Points that anything may lie from the middle between the eyes."""

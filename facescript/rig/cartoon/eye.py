@@ -134,9 +134,9 @@ def _lids(style: EyeStyle, d: float, side: int, state: EyeState) -> _Lids:
 def _socket(pen: Pen, style: EyeStyle, d: float, side: int, name: str, lids: _Lids) -> None:
     """The soft hollow under the brow, the lid's skin between crease and edge, and the white."""
     cy = [spot[1] for spot in lids.crease]
-    at = [_x(style, d, side, u) for u in (-1.12, -0.75, 0.1, 0.85, 1.35, 0.9, 0.0, -0.8)]
+    at = [_x(style, d, side, u) for u in (-1.12, -0.98, 0.1, 1.1, 1.35, 1.12, 0.0, -1.0)]
     deep = style.hollow
-    ys = (-6.0, cy[1] - 9, cy[2] - 11, cy[3] - 8, -8.0, deep * 12 / 19, deep, deep * 12 / 19)
+    ys = (-7.0, cy[1] - 12, cy[2] - 11, cy[3] - 11, -8.0, deep * 15 / 19, deep, deep * 15 / 19)
     pen.loop(f"eye-socket-{name}", list(zip(at, ys, strict=True)))
     first, *inner, last = lids.crease
     edge = list(zip(lids.x, lids.upper, strict=True))

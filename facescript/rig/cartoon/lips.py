@@ -129,7 +129,7 @@ def lips(style: MouthStyle, state: MouthState) -> Lips:
         + 3.0 * state.jaw
         - 4.0 * state.chin
         - 1.6 * state.mean("raise_")
-        - 2.2 * state.mean("nose")
+        - 3.4 * state.mean("nose")
     )
     middle = middle + 1.5 * state.mean("smile") - rise
     corner = [_corner(style, state, k, gap, puckered) for k in (0, 1)]
@@ -229,7 +229,7 @@ def _outer(
     """The lips' outer edges: bow and sides above, the full lip below."""
     upper, lower = thick
     top, bottom = inner_upper[2][1], inner_lower[2][1]
-    lifts = [3.4 * side.raise_ + 2.0 * side.nose for side in state.sides]
+    lifts = [3.4 * side.raise_ + 3.6 * side.nose for side in state.sides]
     dip = style.dip * (1 - 0.35 * puckered) - 0.45 * (lifts[0] + lifts[1])
     above: list[list[Spot]] = []
     below: list[list[Spot]] = []

@@ -9,11 +9,14 @@ from facescript.performance.performance import Frames
 from facescript.rig.cartoon.eyes import draw_eyes
 from facescript.rig.cartoon.lips import MouthState, Side
 from facescript.rig.cartoon.mouth import draw_mouth
-from facescript.rig.cartoon.pen import Floats, Pen, soft_max
+from facescript.rig.cartoon.pen import Floats, Pen, soft_max, step
 from facescript.rig.cartoon.style import FaceStyle
 
 Columns = dict[str, Floats]
 """Channels, and what follows from them, by name: array[frame]."""
+
+NEAR, FAR = (0.02, 0.36), (0.20, 0.70)
+"""The sine of yaw from which, and to which, a side comes to show what it has towards the viewer, and away from it."""
 
 FLOORS = {"mouth.jaw": (0.0, 1.5), "mouth.teeth": (0.0, 1.0), "mouth.tongue": (0.0, 1.0), "mouth.round": (0.0, 1.0)}
 
@@ -29,6 +32,9 @@ def columns(frames: Frames) -> Columns:
     for name, (low, high) in FLOORS.items():
         named[name] = np.clip(named[name], low, high)
     named["chin"] = (named["chin.left"] + named["chin.right"]) / 2
+    turned = np.sin(np.radians(named["head.yaw"]))
+    for side, away in (("left", turned), ("right", -turned)):
+        named[f"near.{side}"], named[f"far.{side}"] = step(*NEAR, -away), step(*FAR, away)
     return named
 
 

@@ -66,7 +66,7 @@ def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
     arch = lerp(0.84, 0.60, shape.round)
     part = (arch - 0.56) / 0.44
     edge = [
-        row[1] + (y - row[1]) * np.maximum(part, 0.0) ** 1.6 + 0.4 for row, y in ((top[1], left_y), (top[3], right_y))
+        row[1] + (y - row[1]) * np.maximum(part, 0.0) ** 1.6 - 0.6 for row, y in ((top[1], left_y), (top[3], right_y))
     ]
     sag = [lerp(top[k][1] + teeth * 0.8, high + teeth * 0.92, shape.round) for k in (1, 3)]
     pen.loop(
@@ -97,6 +97,14 @@ def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
         (left * 0.74, lerp(left_y, bottom[1][1], 0.7) - shown * 0.3),
     ]
     pen.loop("mouth-teeth-lower", [(spot[0], spot[1] + hidden, len(spot) > 2) for spot in lower])
+    for along, share in GAPS:
+        k = int(along > 0)
+        x, y = abs(along) * (left, right)[k], lerp(high + teeth, sag[k], share)
+        pen.ribbon("mouth-teeth-gaps", [(x, y - teeth - 8, 0.01), (x, y - 0.4 * teeth - 2, 1.2), (x, y - 0.4, 0.01)])
+
+
+GAPS = ((-0.42, 0.92), (-0.22, 0.3), (0.0, 0.0), (0.22, 0.3), (0.42, 0.92))
+"""Where the upper teeth part: along the half mouth, and how far their edge is there between middle's and side's."""
 
 
 def _lips(pen: Pen, style: MouthStyle, shape: Lips, past: Number = 0.0) -> None:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.rig.cartoon.depth import Depth
+from facescript.rig.cartoon.pen import soft_max
 
 Floats = NDArray[np.float64]
 
@@ -20,12 +21,15 @@ ORIGIN = 1.3
 """The head turns about a point this many d below the eyes' middle (Algorithm 2.1)."""
 
 SKULL = (-0.30, 0.115)
-"""y and z (d) of the middle of the skull, about which its silhouette is a ball."""
+"""y and z (d) of the middle of the skull, about which its silhouette is a ball; below, hair hangs as the head does."""
+
+LONG = 1.15
+"""The skull is longer than wide by this: so wide it is from the side."""
 
 CM = 1 / 6.3
 """A centimetre in d: the eyes are 6.3 cm apart."""
 
-TRUNK_YAW, TRUNK_ROLL = 0.16, 0.07
+TRUNK_YAW, TRUNK_ROLL = 0.22, 0.07
 """How much of the head's turn the shoulders take."""
 
 NECK_SLACK = 0.24
@@ -34,11 +38,13 @@ NECK_SLACK = 0.24
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Head poses as arrays[frame]: sine and cosine of yaw, pitch, roll; shift in px (y down); size."""
+    """Head poses as arrays[frame]: sine and cosine of yaw, pitch, roll; how far tipped back (the sine of pitch, 0 when
+    bowed); the trunk's turn; shift in px (y down); size."""
 
     yaw: tuple[Floats, Floats]
     pitch: tuple[Floats, Floats]
     roll: tuple[Floats, Floats]
+    back: Floats
     trunk: tuple[Floats, Floats]
     shift: tuple[Floats, Floats]
     size: Floats
@@ -50,7 +56,8 @@ class Pose:
         shift = (columns["head.x"] * (CM * d), columns["head.y"] * (-CM * d))
         trunk = (np.sin(TRUNK_YAW * yaw), TRUNK_ROLL * roll)
         turned = [(np.sin(angle), np.cos(angle)) for angle in (yaw, pitch, roll)]
-        return cls(turned[0], turned[1], turned[2], trunk, shift, columns["head.scale"])
+        back = np.asarray(soft_max(turned[1][0], 0.0, 0.1), dtype=np.float64)
+        return cls(turned[0], turned[1], turned[2], back, trunk, shift, columns["head.scale"])
 
 
 class Turn:
@@ -61,9 +68,11 @@ class Turn:
         self.d = d
         self.z = column["z"] * d
         self.slide = column["slide"] * d
+        self.under = column["under"] * d
         self.flatten = column["flatten"]
+        self.barrel = column["barrel"] * x[:, None]
         self.round_x = column["silhouette"] * x[:, None]
-        self.round_y = column["silhouette"] * (y[:, None] - SKULL[0] * d)
+        self.round_y = column["silhouette"] * np.minimum(y[:, None] - SKULL[0] * d, 0.0)
         self.follow = column["follow"]
         self.trunk = column["trunk"] * d
         self.free = np.flatnonzero(self.follow[:, 0] < 1)
@@ -71,7 +80,8 @@ class Turn:
     def __call__(self, x: Floats, y: Floats, forward: Floats, pose: Pose) -> tuple[Floats, Floats]:
         """Anchors in the picture; `forward` is how far each stands out from its depth at rest, px."""
         (sin_yaw, _), size = pose.yaw, pose.size
-        z = self.z * (1 - self.flatten * (sin_yaw * sin_yaw)) + self.slide * sin_yaw + forward
+        z = self.z * (1 - self.flatten * (sin_yaw * sin_yaw)) + forward
+        z += self.slide * sin_yaw - self.under * pose.back
         head_x, head_y = self._head(x, y, z, pose)
         free = self.free
         body_x, body_y = self._body(x[free], y[free], pose)
@@ -87,7 +97,8 @@ class Turn:
         up = y - pivot
         y1 = up * cos_pitch - z * sin_pitch + self.round_y * (1 - cos_pitch)
         z1 = z * cos_pitch + up * sin_pitch
-        x1 = x * cos_yaw + z1 * sin_yaw + self.round_x * (1 - cos_yaw)
+        length = np.sqrt(cos_yaw * cos_yaw + (LONG * sin_yaw) ** 2)
+        x1 = x * cos_yaw + z1 * sin_yaw + self.round_x * (length - cos_yaw) + self.barrel * (1 - cos_yaw)
         x1 -= self.round_y * (sin_yaw * sin_pitch)
         x2 = x1 * cos_roll - y1 * sin_roll + pose.shift[0]
         y2 = x1 * sin_roll + y1 * cos_roll + (pivot + pose.shift[1])
