@@ -10,7 +10,7 @@ from pathlib import Path
 from facescript.backends.registry import backends
 from facescript.diagnostics.model import Diagnostics
 from facescript.performance.channels import CHANNELS, MUSCLES
-from facescript.resolve.kinds.library import kind_names, library_head
+from facescript.resolve.kinds.library import kind_names, kinds_with, library_head
 from facescript.resolve.words import UNSEEN, VERBS, WORDS
 from facescript.speech.voicebox import list_voices
 from facescript.syntax.parser import parse
@@ -114,7 +114,8 @@ def _muscles() -> Iterable[Row]:
 
 def _channels() -> Iterable[Row]:
     for channel in CHANNELS:
-        yield channel.name, f"{channel.unit}, {channel.rest:g} at rest"
+        kinds = ", ".join(kinds_with(channel.name))
+        yield channel.name, f"{channel.unit}, {channel.rest:g} at rest" + (f"; only {kinds}" if kinds else "")
 
 
 def _voices() -> Iterable[Row]:

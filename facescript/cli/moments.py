@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from facescript.cli.report import OptionFault
 from facescript.cli.settings import seconds
 from facescript.ir.play import Face
-from facescript.performance.channels import INDEX, NAMES
+from facescript.performance.channels import channels_of
+from facescript.resolve.kinds.library import kinds_with
 from facescript.resolve.suggest import nearest
 from facescript.schedule.score import Score
 
@@ -59,8 +60,15 @@ def _place(seen: Mapping[str, Face], text: str, said: str | None) -> tuple[str, 
     if face is None or face not in seen:
         fault = f"`{text}` needs a face's name in front" if face is None else f"there is no face `{face}` to be seen"
         raise OptionFault("FS913", fault=fault, known=", ".join(f"`{name}`" for name in seen) or "nobody")
-    if channel not in INDEX:
-        candidate = nearest(channel, NAMES)
-        meant = f"did you mean `{candidate}`?" if candidate else "`facescript list channels` has them."
-        raise OptionFault("FS914", name=channel, meant=meant)
+    known = channels_of(seen[face].parts)
+    if channel not in known:
+        raise OptionFault("FS914", name=channel, meant=_meant(channel, known))
     return face, channel
+
+
+def _meant(channel: str, known: Sequence[str]) -> str:
+    """What to ask for instead of a channel that a face does not have."""
+    kinds, candidate = kinds_with(channel), nearest(channel, known)
+    if kinds:
+        return f"only these kinds of face have it: {', '.join(f'`{kind}`' for kind in kinds)}."
+    return f"did you mean `{candidate}`?" if candidate else "`facescript list channels` has them."

@@ -30,9 +30,10 @@ class Film:
 @dataclass(frozen=True, slots=True)
 class Face:
     """A face: its kind, its voice, its life, where it stands (None: in the row), its size; of its looks the colours by
-    family, the choices by name and the amounts 0..1 by name.
+    family, the choices by name and the amounts 0..1 by name; whether its hair moves with its head or is `still`.
 
-    `drawn` is the kind itself where the library has none of that name.
+    `parts` are those of its kind that have channels of their own; `drawn` is the kind itself where the library has
+    none of that name.
     """
 
     name: str
@@ -46,6 +47,8 @@ class Face:
     looks: tuple[tuple[str, str], ...] = ()
     choices: tuple[tuple[str, str], ...] = ()
     amounts: tuple[tuple[str, float], ...] = ()
+    hair: Literal["", "still"] = ""
+    parts: tuple[str, ...] = ()
     drawn: Kind | None = None
 
     @property

@@ -41,6 +41,12 @@ def soft_limit(value: Floats) -> Floats:
     return limited
 
 
+def ear_limit(value: Floats) -> Floats:
+    """Rule 1 for what moves both ways from its rest: as a muscle's to either side, within -1..1."""
+    value = np.asarray(value, dtype=np.float64)
+    return np.copysign(soft_limit(np.abs(value)), value)
+
+
 def lid_limit(value: Floats) -> Floats:
     """Rule 1 for a lid that an expression shuts or widens: as a muscle's, but down to `LID_FLOOR`."""
     value = np.asarray(value, dtype=np.float64)

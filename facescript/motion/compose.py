@@ -9,6 +9,7 @@ import numpy as np
 from facescript.motion.blend import (
     add_within,
     blink_together,
+    ear_limit,
     eyes_within,
     lid_drawn,
     lid_limit,
@@ -38,7 +39,8 @@ MOUTH_RANGE = {"wide": (-1.0, 1.0), "round": (0.0, 1.0), "teeth": (0.0, 1.0), "t
 LEAST_SCALE = 0.05
 """Nothing is drawn smaller than this part of its size."""
 
-_MUSCLES = rows(f"{muscle}.{side}" for muscle in MUSCLES for side in SIDES)
+_MUSCLES = rows(f"{muscle}.{side}" for muscle in (*MUSCLES, "muzzle") for side in SIDES)
+_EARS = rows(f"ear.{side}" for side in SIDES)
 _HEAD = rows(f"head.{axis}" for axis in ("yaw", "pitch", "roll"))
 _SHIFTS = rows(["head.x", "head.y", *(f"eye.{side}.{axis}" for side in SIDES for axis in "xy")])
 _SCALES = rows(["head.scale", *(name for side in SIDES for name in (f"eye.{side}.scale", f"pupil.{side}"))])
@@ -68,10 +70,11 @@ class Asked:
 
 
 def compose(asked: Asked) -> Frames:
-    """The poses: array[n, channel], a pure function of each row of what is asked."""
+    """The poses: array[n, channel], a pure function of each row of what is asked. No hair moves in them."""
     drive = asked.sum
-    pose = np.empty((len(INDEX), drive.shape[1]))
+    pose = np.zeros((len(INDEX), drive.shape[1]))
     pose[_MUSCLES] = soft_limit(drive[_MUSCLES])
+    pose[_EARS] = ear_limit(drive[_EARS])
     pose[_SHIFTS] = drive[_SHIFTS]
     pose[_SCALES] = np.maximum(REST[_SCALES, None] + drive[_SCALES], LEAST_SCALE)
     pose[_HEAD] = head_pose(asked.head, drive)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.ir.values import Amount, Mix, Term
-from facescript.performance.channels import INDEX, NAMES, SIDES
+from facescript.performance.channels import CHANNELS, SIDES
 
 Floats = NDArray[np.float64]
 Drive = NDArray[np.float64]
@@ -19,7 +19,8 @@ Rows are the channels in their order, counted from their rest (`gaze.*` is how f
 """
 
 BLINKS = tuple(f"blink.{side}" for side in SIDES)
-ROWS: dict[str, int] = {**INDEX, **{name: len(NAMES) + index for index, name in enumerate(BLINKS)}}
+_DRIVEN = (*(channel.name for channel in CHANNELS), *BLINKS)
+ROWS: dict[str, int] = {name: row for row, name in enumerate(_DRIVEN)}
 
 
 def rows(names: Iterable[str]) -> NDArray[np.intp]:

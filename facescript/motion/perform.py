@@ -8,23 +8,29 @@ from dataclasses import dataclass
 import numpy as np
 
 from facescript.ir.play import Face
-from facescript.motion.compose import Asked, compose
+from facescript.motion.compose import Asked, compose, head_pose
 from facescript.motion.dice import Dice
-from facescript.motion.drivers import ROWS, Floats
+from facescript.motion.drivers import ROWS, Floats, rows
 from facescript.motion.expression import Expression
 from facescript.motion.gaze.track import GazeTrack
 from facescript.motion.gesture import Gestures
+from facescript.motion.hair import Hair
 from facescript.motion.life.lives import Lives, lives
 from facescript.motion.mouth import MouthTrack
-from facescript.performance.channels import NAMES
-from facescript.performance.performance import FaceCurves, Frames, Performance
+from facescript.performance.channels import POSE, channels_of
+from facescript.performance.performance import Frames, Performance
 from facescript.schedule.score import Score, TimedScene
+
+_PLACE = rows(("head.x", "head.y"))
 
 
 def perform(score: Score) -> Performance:
     """The curves of all seen faces."""
-    faces: dict[str, FaceCurves] = {face.name: FaceMotion(score, face) for face in score.faces if face.seen}
-    return Performance(faces, score.duration)
+    seen = {face.name: face for face in score.faces if face.seen}
+    motions = {name: FaceMotion(score, face) for name, face in seen.items()}
+    hair = {name: motion.hair() for name, motion in motions.items() if seen[name].hair != "still"}
+    channels = {name: channels_of(face.parts) for name, face in seen.items()}
+    return Performance(dict(motions), score.duration, channels, hair)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,14 +53,24 @@ class FaceMotion:
         self.mouth = MouthTrack(tuple(line for line in score.lines if line.face == face.name))
 
     def sample(self, times: Floats) -> Frames:
-        """Poses at `times` (seconds, any order): array[len(times), len(NAMES)]."""
+        """Poses at `times` (seconds, any order): array[len(times), len(POSE)]."""
         times = np.ascontiguousarray(times, dtype=np.float64)
         if np.all(times[1:] >= times[:-1]):
             return compose(self.asked(times))
         order = np.argsort(times, kind="stable")
-        frames = np.empty((len(times), len(NAMES)))
+        frames = np.empty((len(times), len(POSE)))
         frames[order] = compose(self.asked(times[order]))
         return frames
+
+    def hair(self) -> Hair:
+        """How hair trails behind the face's head as it is drawn."""
+        return Hair(self.head, [(scene.start, scene.end) for scene in self.scenes])
+
+    def head(self, times: Floats) -> Floats:
+        """The head at `times` (sorted) as it is drawn: array[n, 5], yaw, pitch, roll (deg), x, y (cm)."""
+        asked = self.asked(times)
+        drive = asked.sum
+        return np.concatenate([head_pose(asked.head, drive), drive[_PLACE]]).T
 
     def scene(self, time: float) -> SceneMotion | None:
         """The scene that plays at `time`, where the face is in it."""
@@ -87,7 +103,7 @@ def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
             starts[number + 1] if number + 1 < len(starts) else np.inf,
             Expression(acts, scene.start, scene.end),
             Gestures(acts),
-            lives(face.life, acts, lines, scene.start, scene.end, dice),
+            lives(face.life, acts, lines, scene.start, scene.end, dice, channels_of(face.parts)),
         )
 
 

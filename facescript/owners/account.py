@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from facescript.ir.play import Face
-from facescript.motion.blend import eyes_within, lid_drawn, lid_limit, lid_opening, soft_limit
+from facescript.motion.blend import ear_limit, eyes_within, lid_drawn, lid_limit, lid_opening, soft_limit
 from facescript.motion.compose import (
     Asked,
     blinks_drawn,
@@ -29,7 +29,7 @@ from facescript.motion.perform import FaceMotion
 from facescript.owners import gaze, sources
 from facescript.owners.model import Account, Part, Source, Step
 from facescript.owners.mouth import Lines, shapes
-from facescript.performance.channels import CHANNELS, INDEX, SIDES, Channel
+from facescript.performance.channels import INDEX, POSE, SIDES, Channel
 from facescript.schedule.score import Score
 
 AXES = ("yaw", "pitch", "roll")
@@ -46,7 +46,7 @@ class Accounts:
     def at(self, name: str, time: float) -> Account:
         """The account of the channel `name` at `time` (s). Its last value is what `Performance.sample` gives."""
         moment = self._moment(time)
-        channel = CHANNELS[INDEX[name]]
+        channel = POSE[INDEX[name]]
         owner, steps = self._told(channel, moment)
         return Account(self.face.name, channel, time, owner, (*steps, Step("drawn", moment.drawn(name))))
 
@@ -84,7 +84,8 @@ class Accounts:
         else:
             yield Step("sum", total, self._parts(row, moment))
         if channel.unit == "1" and not channel.rest:
-            yield Step("soft limit", float(soft_limit(moment.drive[row])[0]))
+            limit = ear_limit if channel.name.startswith("ear.") else soft_limit
+            yield Step("soft limit", float(limit(moment.drive[row])[0]))
 
     def _parts(self, row: int, moment: Moment) -> tuple[Part, ...]:
         return sources.asked(self._motion.scene(moment.time), row, moment.time)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 SIDES = ("left", "right")
@@ -59,6 +60,34 @@ lip's edge rises and `lower` how far the lower lip's edge sinks, in MNS0 (thesis
 each other; `jaw` 0..1 how far the jaw drops; `teeth` 0..1 how much of them shows; `tongue` 0..1 how far its tip is up.
 """
 
-CHANNELS: tuple[Channel, ...] = _channels()
-NAMES: tuple[str, ...] = tuple(channel.name for channel in CHANNELS)
-INDEX: dict[str, int] = {name: index for index, name in enumerate(NAMES)}
+COMMON: tuple[Channel, ...] = _channels()
+"""The channels of every face."""
+
+NAMES: tuple[str, ...] = tuple(channel.name for channel in COMMON)
+"""Their names, in their order."""
+
+PARTS = ("ear", "muzzle")
+"""What the faces of some kinds move besides."""
+
+OWN: tuple[Channel, ...] = tuple(Channel(f"{part}.{side}", "1") for part in PARTS for side in SIDES)
+"""The channels that only faces with such parts have: `ear` -1 pressed down or back .. 0 at rest .. 1 up, `muzzle` 0..1
+how far its pad swells and rises. A sum may drive them on every face; elsewhere nothing comes of it."""
+
+CHANNELS: tuple[Channel, ...] = COMMON + OWN
+"""All that an author may name."""
+
+HAIR: tuple[Channel, ...] = tuple(
+    Channel(f"hair.{lock}.{axis}", "deg") for lock in ("slow", "middle", "quick") for axis in "xy"
+)
+"""How far slow, middle and quick locks trail behind the head, + to the viewer's right and up, as if they were turned by
+so much. They follow from the head, are drawn only, and no table shows them."""
+
+POSE: tuple[Channel, ...] = CHANNELS + HAIR
+"""The columns of a pose, whatever the face has of them."""
+
+INDEX: dict[str, int] = {channel.name: index for index, channel in enumerate(POSE)}
+
+
+def channels_of(parts: Collection[str]) -> tuple[str, ...]:
+    """The names of the channels that a face with these parts has, in their order: what tables of it show."""
+    return (*NAMES, *(channel.name for channel in OWN if channel.name.partition(".")[0] in parts))

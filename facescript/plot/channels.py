@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-from facescript.performance.channels import CHANNELS, NAMES, SIDES
+from facescript.performance.channels import CHANNELS, SIDES
+from facescript.resolve.kinds.library import kinds_with
 from facescript.resolve.suggest import nearest
 
 UNITS = {"deg": "degrees", "cm": "cm", "1": "shares"}
@@ -51,10 +52,11 @@ class Panel:
     heard: bool = False
 
 
-def asked(names: Sequence[str], faces: Sequence[str]) -> dict[str, tuple[Panel, ...]]:
+def asked(names: Sequence[str], faces: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[Panel, ...]]:
     """The panels of each face for the channels that are named: one a unit, curves in the order of the names.
 
-    A name alone means every face, `lid` or `eye.yaw` both sides. Raises `PlotFault` for what is no channel.
+    `faces` are those that are seen, with the channels they have. A name alone means every face that has it, `lid` or
+    `eye.yaw` both sides. Raises `PlotFault` for what is no channel, or one that no face has.
     """
     wanted: dict[str, dict[str, None]] = {face: {} for face in faces}
     for name in names:
@@ -63,24 +65,29 @@ def asked(names: Sequence[str], faces: Sequence[str]) -> dict[str, tuple[Panel, 
     return {face: tuple(_panels(list(channels))) for face, channels in wanted.items() if channels}
 
 
-def _meant(name: str, faces: Sequence[str]) -> Iterator[tuple[str, str]]:
+def _meant(name: str, faces: Mapping[str, tuple[str, ...]]) -> Iterator[tuple[str, str]]:
     """The faces and channels that a name means."""
     owner = next((face for face in faces if name.startswith(f"{face}.")), None)
-    channels, owners = _known().get(name), faces
+    channels, owners = _known().get(name), tuple(faces)
     if channels is None and owner is not None:
         channels, owners = _known().get(name.removeprefix(f"{owner}.")), (owner,)
     if channels is None:
         front = f"{owner}." if owner is not None else ""
         near = nearest(name, [front + known for known in _known()])
         raise PlotFault("FS920", name=name, near=f"; did you mean `{near}`?" if near else ".")
-    yield from ((face, channel) for face in owners for channel in channels)
+    found = [(face, channel) for face in owners for channel in channels if channel in faces[face]]
+    if not found:
+        kinds = ", ".join(f"`{kind}`" for kind in kinds_with(channels[0]))
+        raise PlotFault("FS920", name=name, near=f" of these faces; only these kinds have it: {kinds}.")
+    yield from found
 
 
 @cache
 def _known() -> dict[str, tuple[str, ...]]:
     """What may be asked for: every channel, and names without their side for the channels of both sides."""
-    found: dict[str, tuple[str, ...]] = {name: (name,) for name in NAMES}
-    for name in NAMES:
+    names = [channel.name for channel in CHANNELS]
+    found: dict[str, tuple[str, ...]] = {name: (name,) for name in names}
+    for name in names:
         for side in SIDES:
             whole = ".".join(part for part in name.split(".") if part != side)
             if whole != name:

@@ -9,6 +9,7 @@ from typing import Protocol
 
 from facescript.backends.job import Job
 from facescript.ir.play import Face
+from facescript.performance.channels import channels_of
 from facescript.plot.acts import face_lanes, film_lanes
 from facescript.plot.axis import Scale
 from facescript.plot.channels import Panel, PlotFault, asked
@@ -19,7 +20,7 @@ from facescript.plot.marks import LARGE, LARGEST, SMALL, Drawing, Mark, Text, bo
 from facescript.plot.panels import INNER, strips
 from facescript.plot.sound import energy
 from facescript.plot.target import targets
-from facescript.plot.usual import HEARD, USUAL
+from facescript.plot.usual import HEARD, usual
 from facescript.plot.words import AxisStrip, word_strip
 
 WIDTH, NARROWEST = 1200, 400
@@ -110,7 +111,7 @@ def _height(fixed: float, weight: float, wanted: Asked) -> tuple[int, float]:
 
 
 def _blocks(job: Job, names: Sequence[str], scale: Scale) -> Iterator[Block]:
-    seen = [face.name for face in job.score.faces if face.seen]
+    seen = {face.name: channels_of(face.parts) for face in job.score.faces if face.seen}
     if names and not seen:
         raise PlotFault("FS923", channels=", ".join(names))
     panels = asked(names, seen) if names else None
@@ -118,7 +119,7 @@ def _blocks(job: Job, names: Sequence[str], scale: Scale) -> Iterator[Block]:
     if lanes:
         yield Block("", tuple(lanes), ())
     for face in job.score.faces:
-        chosen = USUAL if face.seen else HEARD
+        chosen = usual(seen[face.name]) if face.seen else HEARD
         if panels is not None:
             chosen = panels.get(face.name, ())
         block = _block(job, face, chosen, scale)

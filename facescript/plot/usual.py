@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from facescript.performance.channels import MUSCLES, SIDES
+from collections.abc import Sequence
+
+from facescript.performance.channels import MUSCLES, OWN, SIDES
 from facescript.plot.channels import Curve, Panel
 from facescript.plot.looks import BLACK, BLUE, GREEN, VERMILION
 
@@ -42,7 +44,16 @@ USUAL: tuple[Panel, ...] = (
     Panel("muscles", _MUSCLES, SHARES, 1.0, STIRS, each=True),
     Panel("mouth", _MOUTH, (0.0, 0.5), 0.9, STIRS, heard=True),
 )
-"""What is shown of a face that is seen."""
+"""What is shown of every face that is seen."""
+
+_OWN = tuple(Curve(channel.name, (channel.name,)) for channel in OWN)
+
+
+def usual(channels: Sequence[str]) -> tuple[Panel, ...]:
+    """What is shown of a face that is seen and has these channels."""
+    own = tuple(curve for curve in _OWN if curve.label in channels)
+    return (*USUAL, Panel("ears, muzzle", own, SHARES, 0.6, STIRS, each=True)) if own else USUAL
+
 
 HEARD: tuple[Panel, ...] = (Panel("sound", (), SHARES, 0.5, heard=True),)
 """What is shown of a face that is only heard."""

@@ -64,6 +64,8 @@ def face(project: Project, node: Declaration) -> Face:
         chosen.colours,
         chosen.choices,
         chosen.amounts,
+        chosen.hair,
+        head.channels,
         own,
     )
 

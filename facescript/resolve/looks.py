@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import Literal, TypeVar
 
 from facescript.ir.kind import KindHead, Tint
 from facescript.ir.random import between, chance
@@ -33,7 +33,9 @@ DRAWN: Mapping[str, tuple[float, float]] = {
 
 @dataclass(slots=True)
 class Looks:
-    """What is chosen: colours by family, choices and amounts by name."""
+    """What is chosen: colours by family, choices and amounts by name, and whether the hair is `still`."""
+
+    hair: Literal["", "still"] = ""
 
     _colours: dict[str, str] = field(default_factory=dict)
     _choices: dict[str, str] = field(default_factory=dict)
@@ -81,7 +83,10 @@ class _Reader:
             self.project.report("FS248", self.line.spans[name], kind=self.kind, name=name)
             return
         for word in words:
-            self._word(name, family, word)
+            if name == "hair" and isinstance(word, Name) and word.text == "still":
+                self.found.hair = "still"
+            else:
+                self._word(name, family, word)
 
     def _word(self, name: str, family: str | None, word: Word) -> None:
         if isinstance(word, Colour) and family is not None:

@@ -5,9 +5,12 @@ from __future__ import annotations
 from typing import Literal, cast
 
 from facescript.ir.acts import Add, Drop, Gesture, Manner, Show, Timing
+from facescript.ir.play import Face
 from facescript.ir.values import Amount, Mix, Term
+from facescript.performance.channels import channels_of
 from facescript.resolve.arithmetic import bounds
 from facescript.resolve.drivers import PRIMITIVES
+from facescript.resolve.kinds.library import kinds_with
 from facescript.resolve.lines import Line
 from facescript.resolve.mixes import expression_mix, find_expression, read_mix
 from facescript.resolve.place import Place
@@ -25,11 +28,11 @@ POSES = {"nod": "nodding", "shake": "shaking", "tilt": "tilting", "blink": "blin
 
 
 def show(project: Project, line: Line, place: Place) -> Show:
-    return Show(_mix(project, line), timing(line))
+    return Show(_mix(project, line, place), timing(line))
 
 
 def add(project: Project, line: Line, place: Place) -> Add:
-    return Add(_mix(project, line), timing(line))
+    return Add(_mix(project, line, place), timing(line))
 
 
 def drop(project: Project, line: Line, place: Place) -> Drop:
@@ -80,12 +83,24 @@ def timing(line: Line) -> Timing:
 PLAIN = Timing()
 
 
-def _mix(project: Project, line: Line) -> Mix:
+def _mix(project: Project, line: Line, place: Place) -> Mix:
     reader = line.reader()
     reader.next()
     mix = read_mix(project, reader)
     line.finish(reader)
+    if place.face in project.faces:
+        _tell_of_lacking(project, line, project.faces[place.face], mix)
     return mix
+
+
+def _tell_of_lacking(project: Project, line: Line, face: Face, mix: Mix) -> None:
+    """Tells of channels in a sum that the face does not have. What expressions hold of them is for other faces."""
+    has = channels_of(face.parts)
+    for term in mix.terms:
+        lacks = [name for name in PRIMITIVES[term.name].names if kinds_with(name)] if term.name in PRIMITIVES else []
+        if lacks and lacks[0] not in has:
+            kinds = ", ".join(f"`{kind}`" for kind in kinds_with(lacks[0]))
+            project.report("FS250", line.span, face=face.name, name=term.name, kinds=kinds)
 
 
 def _side(project: Project, reader: Reader, kind: str) -> str:

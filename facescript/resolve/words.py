@@ -152,7 +152,8 @@ FACE: dict[str, Modifier] = {
             _valued(look, "look", f"the colour of its {look}, by name or `#rrggbb`")
             for look in ("skin", "eyes", "lips")
         ),
-        *(_valued(look, "look", f"the kind of its {look}, and its colour") for look in ("hair", "clothes", "beard")),
+        *(_valued(look, "look", f"the kind of its {look}, and its colour") for look in ("clothes", "beard")),
+        _valued("hair", "look", "the cut of its hair and its colour; `still` where it does not move with the head"),
         *(_valued(look, "look", f"which {look} it has, and their colour") for look in ("brows", "glasses", "earrings")),
         _valued("age", "percentage", "how old it looks"),
         _valued("width", "percentage", "how wide its face is: 50% is as drawn"),
@@ -211,7 +212,7 @@ _BLOCKS = (
 )
 _DEFINERS = "action expression face film kind let life scene target use"
 _GIVEN = "all away camera down left neutral right up"
-_CHANNELS = "brow cheek chin eye forehead gaze head lid lip mouth nose pupil"
+_CHANNELS = "brow cheek chin ear eye forehead gaze head lid lip mouth muzzle nose pupil"
 
 WORDS: frozenset[str] = frozenset(
     {*VERBS, *DIRECT, NOTHING, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}

@@ -53,6 +53,8 @@ def test_the_face_may_be_said_apart(capsys: Captured) -> None:
         (["--channel", "lid.left", "--face", "voice", "--at", "0s"], "FS913", "there is `ada`, `bruno`"),
         (["--channel", "ada.lid.lef", "--at", "0s"], "FS914", "did you mean `lid.left`?"),
         (["--channel", "ada.blushing", "--at", "0s"], "FS914", "`facescript list channels` has them"),
+        (["--channel", "ada.ear.left", "--at", "0s"], "FS914", "only these kinds of face have it: `dog`, `rodent`."),
+        (["--channel", "ada.hair.slow.x", "--at", "0s"], "FS914", "`facescript list channels` has them"),
         (["--channel", "ada.lid.left", "--at", "90s"], "FS906", "`--at 90s` lies outside the film"),
         (["--channel", "ada.lid.left", "--at", "soon"], "FS904", "write for example `--at 2s`"),
         (["--channel", "ada.lid.left"], "FS912", "`--channel` needs `--at` beside it"),

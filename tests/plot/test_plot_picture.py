@@ -104,6 +104,13 @@ def test_unknown_channel(name: str, near: str | None) -> None:
     assert fault.value.values["near"] == (f"; did you mean `{near}`?" if near else ".")
 
 
+def test_a_channel_that_none_of_the_faces_has() -> None:
+    for name in ("ear", "bo.ear.left"):
+        with pytest.raises(PlotFault) as fault:
+            plot(TWO + "ada: nod\n", name)
+        assert fault.value.values["near"] == " of these faces; only these kinds have it: `dog`, `rodent`."
+
+
 def test_a_size_that_cannot_hold_it() -> None:
     with pytest.raises(PlotFault) as fault:
         plot(SMALL_SCRIPT, size=(300, 200))

@@ -62,6 +62,19 @@ def test_faces() -> None:
 
 
 @pytest.mark.parametrize(
+    ("written", "hair", "looks"),
+    [
+        ("hair still", "still", ()),
+        ("hair #5b3a22 still", "still", (("hair", "#5b3a22"),)),
+        ("hair #5b3a22", "", (("hair", "#5b3a22"),)),
+    ],
+)
+def test_hair_that_is_still(written: str, hair: str, looks: tuple[tuple[str, str], ...]) -> None:
+    (ada,) = play_of(f"face ada = woman\n    {written}\nada: nod\n").faces
+    assert (ada.hair, ada.looks) == (hair, looks)
+
+
+@pytest.mark.parametrize(
     ("line", "code"),
     [
         ("= womn", "FS329"),
@@ -70,6 +83,7 @@ def test_faces() -> None:
         ("= woman\n    hare #5b3a22", "FS308"),
         ("= woman\n    hair brown", "FS249"),
         ("= woman\n    hair #5b3a22\n    hair #5b3a22", "FS310"),
+        ("= woman\n    hair still brown", "FS314"),
         ("= woman\n    gaze eyes-mover", "FS329"),
         ("= woman\n    life clam", "FS206"),
         ("= woman\n    size 2m", "FS302"),

@@ -6,7 +6,7 @@ import pytest
 from plays import EMPTY, play_of, resolved, verbs
 
 from facescript.ir.acts import Show
-from facescript.performance.channels import NAMES
+from facescript.motion.drivers import ROWS
 from facescript.resolve.definitions import library_names
 from facescript.resolve.uses import library
 
@@ -38,9 +38,11 @@ def test_it_drives_channels_within_their_ranges(name: str) -> None:
     found = drivers(name)
     assert found
     for driver, value in found.items():
-        assert driver in NAMES or driver in ("blink.left", "blink.right")
+        assert driver in ROWS
         if driver.startswith("lid."):
             assert -0.35 <= value <= 1.0
+        elif driver.startswith("ear."):
+            assert -1.0 <= value <= 1.0
         elif not driver.startswith(("head.", "eye.", "mouth.")):
             assert 0.0 <= value <= 1.0
 

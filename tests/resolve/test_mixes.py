@@ -42,6 +42,8 @@ def shown(text: str) -> Mix:
         ),
         ("blink.left", "1 blink.left [blink.left=1]"),
         ("chin 40%", "0.4 chin [chin.left=1 chin.right=1]"),
+        ("ear -60%", "-0.6 ear [ear.left=1 ear.right=1]"),
+        ("muzzle.left", "1 muzzle.left [muzzle.left=1]"),
     ],
 )
 def test_sums(written: str, text: str) -> None:
@@ -146,3 +148,10 @@ def test_the_order_of_a_sum_does_not_matter_to_what_it_drives(terms: list[str]) 
     drivers = shown(f"expression e = {' + '.join(terms)}\nshow e\n").terms[0].drivers
     other = shown("expression e = AU1 + AU4 + smile + head.roll 3deg + lid.left 20%\nshow e\n").terms[0].drivers
     assert {driver.name: pytest.approx(driver.value) for driver in drivers} == {d.name: d.value for d in other}
+
+
+def test_a_part_that_a_face_lacks_is_hinted_at_where_it_is_named() -> None:
+    """Not for what an expression of the library holds, which is for faces of all kinds."""
+    assert codes("show ear 60%\n") == ["FS250"]
+    assert codes("add AU1 + muzzle.left 20%\nshow surprise\n") == ["FS250"]
+    assert codes("show surprise + AU1\n") == []

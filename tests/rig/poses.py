@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.acts import Life, Voice
 from facescript.ir.play import Face
-from facescript.performance.channels import INDEX, NAMES
+from facescript.performance.channels import INDEX
 from facescript.performance.performance import REST
 from facescript.resolve.resolver import resolve
 from facescript.syntax.parser import parse
@@ -58,6 +58,8 @@ def span(name: str) -> tuple[float, float]:
         return RANGES[name]
     if name.startswith("lid."):
         return -0.35, 1.0
+    if name.startswith(("ear.", "hair.")):
+        return (-1.0, 1.0) if name.startswith("ear.") else (-12.0, 12.0)
     if name.startswith("eye."):
         return {"roll": (-20.0, 20.0), "x": (-0.3, 0.3), "y": (-0.3, 0.3), "scale": (0.7, 1.4)}[name.rsplit(".")[-1]]
     return (0.5, 1.6) if name.startswith("pupil.") else (0.0, 1.0)
@@ -82,8 +84,8 @@ def sweep(name: str, count: int, base: Floats = REST) -> Floats:
 
 def some(count: int, seed: int = 0) -> Floats:
     """Poses drawn at random from all channels' ranges."""
-    drawn = np.random.default_rng(seed).random((count, len(NAMES)))
-    low, high = np.array([span(name) for name in NAMES]).T
+    drawn = np.random.default_rng(seed).random((count, len(INDEX)))
+    low, high = np.array([span(name) for name in INDEX]).T
     poses: Floats = low + drawn * (high - low)
     return poses
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from facescript.performance.channels import NAMES
+from facescript.performance.channels import INDEX, NAMES
 from facescript.performance.performance import REST
 from facescript.resolve.kinds.library import kind_names
 from facescript.rig.rigs import rig
@@ -101,7 +101,7 @@ def test_a_mirrored_pose_is_the_mirrored_picture(kind: str) -> None:
     """Features (not hair, light and clothes, which are not symmetric) change sides with the pose, to a pixel."""
     rig = RIGS[kind]
     frames = some(20, seed=5)
-    frames[:, [NAMES.index(f"head.{axis}") for axis in ("yaw", "pitch", "roll", "x", "y")]] *= 0.5
+    frames[:, [INDEX[f"head.{axis}"] for axis in ("yaw", "pitch", "roll", "x", "y")]] *= 0.5
     there, back = rig.features(frames), rig.features(mirrored(frames))
     names = rig.feature_names
     partner = {name: name for name in names} | PAIRS | {right: left for left, right in PAIRS.items()}
@@ -141,9 +141,9 @@ def test_each_side_does_what_the_other_does_in_a_mirror(kind: str) -> None:
 def test_ranges_are_wide_enough(kind: str) -> None:
     """Beyond its range a muscle does not go on for ever: nothing flies off the art box."""
     rig = RIGS[kind]
-    wild = np.array([[span(name)[1] * 3 for name in NAMES]])
-    wild[0, NAMES.index("head.scale")] = 1.0
+    wild = np.array([[span(name)[1] * 3 for name in INDEX]])
+    wild[0, INDEX["head.scale"]] = 1.0
     for axis in ("head.x", "head.y", "head.yaw", "head.pitch", "head.roll"):
-        wild[0, NAMES.index(axis)] = 0.0
+        wild[0, INDEX[axis]] = 0.0
     points = rig.draw(wild).points[0]
     assert points[:, 0].min() > -300 and points[:, 0].max() < 1020

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +17,7 @@ from facescript.backends.svg.keys import Swing
 from facescript.backends.svg.path import path_text
 from facescript.backends.svg.seen import around, inside_clips
 from facescript.backends.svg.track import Carried, Track
-from facescript.performance.channels import CHANNELS
+from facescript.performance.channels import Channel
 from facescript.rig.picture import Shape
 
 Floats = NDArray[np.float64]
@@ -141,7 +142,7 @@ def _moments(job: Job) -> Floats:
 def _bent(job: Job, ticks: Ints) -> NDArray[np.bool_]:
     """For each stretch of STEP ticks, whether any channel leaves the straight line across it by its BEND."""
     found = np.zeros(len(ticks) // STEP, dtype=bool)
-    limit = _limits(len(job.performance.faces))
+    limit = _limits(job.performance.channels)
     for first in range(0, len(found), 500):
         rows = ticks[first * STEP : (first + 500) * STEP + 1]
         values = job.performance.sample(np.asarray(job.start + rows * TICK, dtype=np.float64))
@@ -154,14 +155,10 @@ def _bent(job: Job, ticks: Ints) -> NDArray[np.bool_]:
     return found
 
 
-def _limits(faces: int) -> Floats:
+def _limits(channels: Sequence[Channel]) -> Floats:
     """The BEND of every column of a sample."""
-    one = [HEAD_BEND if name.startswith("head") and unit == "deg" else BEND[unit] for name, unit in _units()]
-    return np.array(one * faces)
-
-
-def _units() -> list[tuple[str, str]]:
-    return [(channel.name, channel.unit) for channel in CHANNELS]
+    heads = [one.name.startswith("head") and one.unit == "deg" for one in channels]
+    return np.array([HEAD_BEND if head else BEND[one.unit] for head, one in zip(heads, channels, strict=True)])
 
 
 def _jumps(job: Job) -> Floats:

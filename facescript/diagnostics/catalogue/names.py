@@ -331,4 +331,13 @@ NAMES: tuple[Entry, ...] = (
         "scene one:\n    nod\nscene one:\n    blink\n",
         "scene one:\n    nod\nscene two:\n    blink\n",
     ),
+    Entry(
+        "FS250",
+        "part-not-there",
+        Severity.HINT,
+        "`{face}` has no `{name}` that moves, so nothing is seen of it; only these kinds of face have it: {kinds}.",
+        "show ear 60%\n",
+        "show brow.inner 60%\n",
+        "A script plays on every face: where a face lacks a part, the rest of the sum is shown.",
+    ),
 )

@@ -16,6 +16,7 @@ from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Drive, Floats, number
 from facescript.motion.life.blinks import blinks
 from facescript.motion.life.brows import brows
+from facescript.motion.life.ears import ears
 from facescript.motion.life.eyes import eyes
 from facescript.motion.life.head import head, nods
 from facescript.motion.life.model import Behaviour, Living, Moved
@@ -24,7 +25,7 @@ from facescript.motion.life.prosody import beats, melody
 from facescript.performance.curves import Ramp
 from facescript.schedule.score import TimedAct, TimedLine
 
-BEHAVIOURS: tuple[Behaviour, ...] = (blinks, brows, head, nods, beats, melody, eyes)
+BEHAVIOURS: tuple[Behaviour, ...] = (blinks, brows, ears, head, nods, beats, melody, eyes)
 """All that a living face does unasked; a behaviour without its knob does nothing."""
 
 QUIETING = 0.4
@@ -70,17 +71,29 @@ class Lives:
 
 
 def lives(
-    first: Life, acts: Sequence[TimedAct], lines: Sequence[TimedLine], start: float, end: float, dice: Dice
+    first: Life,
+    acts: Sequence[TimedAct],
+    lines: Sequence[TimedLine],
+    start: float,
+    end: float,
+    dice: Dice,
+    channels: tuple[str, ...],
 ) -> Lives:
     """The lives of a face in a scene from `start` to `end` seconds: `first`, and what its `life` statements say after.
 
-    `acts` and `lines` are the face's own in the scene, in time order.
+    `acts` and `lines` are the face's own in the scene, in time order; `channels` are what it can move.
     """
-    return Lives(tuple(_spells(first, acts, lines, start, end, dice)))
+    return Lives(tuple(_spells(first, acts, lines, start, end, dice, channels)))
 
 
 def _spells(
-    first: Life, acts: Sequence[TimedAct], lines: Sequence[TimedLine], start: float, end: float, dice: Dice
+    first: Life,
+    acts: Sequence[TimedAct],
+    lines: Sequence[TimedLine],
+    start: float,
+    end: float,
+    dice: Dice,
+    channels: tuple[str, ...],
 ) -> Iterator[Spell]:
     occasions = Occasions(acts, lines)
     changes = [(act.start, number(act.verb.over), act.verb.life) for act in acts if isinstance(act.verb, SetLife)]
@@ -91,7 +104,7 @@ def _spells(
         named[life.name] += 1
         if ended > begun:
             heard = _heard(lines, begun, ended)
-            living = Living(life.name, _knobs(life, own), begun, ended, own, heard, occasions)
+            living = Living(life.name, _knobs(life, own), begun, ended, own, heard, occasions, channels)
             moves = tuple(_by(behaviour, item) for behaviour in BEHAVIOURS for item in behaviour(living))
             gone = ended + max(fade, QUIETING)
             yield Spell(life.name, begun, gone, (Ramp(begun, begun + over), Ramp(ended, gone)), moves)

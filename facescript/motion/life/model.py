@@ -23,7 +23,7 @@ class Living:
     """One life of one face from `start` to `end` (seconds from the film's start) in a scene.
 
     `knobs` are in base units (`ir.acts.Life`), `lines` are the face's own about that time, `occasions` what
-    lives heed of the whole scene.
+    lives heed of the whole scene, `channels` what the face can move.
     """
 
     preset: str
@@ -33,6 +33,7 @@ class Living:
     dice: Dice
     lines: Sequence[TimedLine]
     occasions: Occasions
+    channels: tuple[str, ...]
 
     def knob(self, name: str) -> float:
         """A knob, 0 where the life has none of it."""

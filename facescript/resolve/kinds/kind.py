@@ -7,6 +7,7 @@ from contextlib import suppress
 
 from facescript.ir.acts import Voice
 from facescript.ir.kind import Kind, KindHead, KindJaw, KindShape, Measures, Pull, Shade, Tint
+from facescript.performance.channels import PARTS
 from facescript.resolve.kinds.checks import check
 from facescript.resolve.kinds.moves import pull, shade
 from facescript.resolve.kinds.row import Row, Words, spelled
@@ -18,9 +19,6 @@ from facescript.resolve.scope import GLOBAL
 from facescript.resolve.speech import spoken_with, voice_named
 from facescript.resolve.words import FACE
 from facescript.syntax.tree import Colour, Declaration, Phrase
-
-CHANNELS = ("ear", "muzzle")
-"""Channels that only some kinds have."""
 
 HEADER = "kind NAME = eyes 116 apart, at 360 318"
 
@@ -112,7 +110,7 @@ class _Reader:
 
     def _has(self, row: Row) -> None:
         for words in _list(row):
-            self.channels.append(row.name(row.one(words, row.span), "channel of some kinds", CHANNELS))
+            self.channels.append(row.name(row.one(words, row.span), "part with a channel of its own", PARTS))
 
     def _colours(self, row: Row) -> None:
         for words in _list(row):

@@ -41,6 +41,12 @@ def library_head(name: str) -> KindHead:
     return head(*_parsed(name, _text(name).partition("\n    shape ")[0] + "\n"))
 
 
+def kinds_with(channel: str) -> tuple[str, ...]:
+    """The kinds of the library that have a channel, where not every face has it."""
+    part = channel.partition(".")[0]
+    return tuple(name for name in kind_names() if part in library_head(name).channels)
+
+
 def _text(name: str) -> str:
     if name not in kind_names():
         raise KeyError(name)

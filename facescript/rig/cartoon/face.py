@@ -18,6 +18,7 @@ from facescript.rig.cartoon.muscles import effects
 from facescript.rig.cartoon.outline import Part
 from facescript.rig.cartoon.pen import Floats, Pen
 from facescript.rig.cartoon.style import FaceStyle
+from facescript.rig.cartoon.sway import Sway
 from facescript.rig.cartoon.tone import tones
 from facescript.rig.cartoon.turn import CM, Pose, Turn
 from facescript.rig.picture import Picture, Shape
@@ -41,6 +42,9 @@ class CartoonRig:
         self._table = self._lay_out((*parts, *points.feature_parts(style)))
         self._turn = Turn(self._table.x, self._table.y, self._depths(), style.d)
         self._effects = effects(style, self._table)
+        hair = {part.id for part in parts if part.group.startswith("hair")}
+        rows = np.flatnonzero([part in hair for part, _ in self._table.owner])
+        self._sway = Sway.of(rows, self._table.x, self._table.y, style.d)
         self._opacity = np.array([part.opacity for part in parts])
         self._slot = {part.id: k for k, part in enumerate(parts)}
         self._groups = {group: self._rows_in(group, parts) for group in self._turned()}
@@ -121,6 +125,7 @@ class CartoonRig:
             strength = signal(named, effect.signal)
             x[effect.rows] += effect.dx * strength
             y[effect.rows] += effect.dy * strength
+        self._sway.move(x, y, named)
         forward[self._groups["mouth"]] += PUSHED_OUT * named["mouth.round"]
         self._place_eyes(x, y, named)
         x, y = self._turn(x, y, forward, Pose.of(named, self.style.d))

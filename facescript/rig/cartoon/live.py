@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from facescript.performance.channels import INDEX, MUSCLES, NAMES, SIDES
+from facescript.performance.channels import INDEX, MUSCLES, SIDES
 from facescript.performance.performance import Frames
 from facescript.rig.cartoon.eyes import draw_eyes
 from facescript.rig.cartoon.lips import MouthState, Side
@@ -24,7 +24,7 @@ FLOORS = {"mouth.jaw": (0.0, 1.5), "mouth.teeth": (0.0, 1.0), "mouth.tongue": (0
 def columns(frames: Frames) -> Columns:
     """Channels of poses array[frame, channel] by name; muscles and the mouth's parts within their ranges."""
     rows = np.ascontiguousarray(np.asarray(frames, dtype=np.float64).T)
-    named = {name: rows[INDEX[name]] for name in NAMES}
+    named = {name: rows[row] for name, row in INDEX.items()}
     for muscle in MUSCLES:
         for side in SIDES:
             name = f"{muscle}.{side}"
