@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from facescript.rig.cartoon.face import CartoonRig
+from facescript.resolve.kinds.library import PEOPLE
 from facescript.rig.cartoon.sway import shares
-from facescript.rig.rigs import STYLES
-from rig.poses import pose
+from facescript.rig.rigs import rig as rig_of
+from rig.poses import plain, pose
 
-RIGS = {name: CartoonRig(style, style.palette) for name, style in STYLES.items()}
+RIGS = {name: rig_of(plain(name)) for name in PEOPLE}
 KINDS = pytest.mark.parametrize("kind", sorted(RIGS))
 ASIDE = {f"hair_{lock}_x": 5.0 for lock in ("slow", "middle", "quick")}
 UP = {f"hair_{lock}_y": 5.0 for lock in ("slow", "middle", "quick")}

@@ -51,8 +51,8 @@ EYE_SHAPES = (
     "eye-crows", "eye-rim", "eye-glow", "eye-lowerlid", "eye-line", "eye-lashes", "eye-crease",
 )  # fmt: skip
 MOUTH_SHAPES = (
-    "mouth-under", "mouth-cavity", "mouth-tongue", "mouth-tongue-line", "mouth-teeth-upper", "mouth-teeth-lower",
-    "mouth-teeth-gaps", "mouth-lip-lower", "mouth-lip-light", "mouth-muzzle", "mouth-philtrum", "mouth-lip-upper",
+    "mouth-under", "mouth-cavity", "mouth-tongue", "mouth-teeth-upper", "mouth-teeth-lower", "mouth-teeth-gaps",
+    "mouth-lip-lower", "mouth-lip-light", "mouth-muzzle", "mouth-philtrum", "mouth-tongue-line", "mouth-lip-upper",
     "mouth-line",
 )  # fmt: skip
 LIVE: Mapping[str, str] = {
