@@ -9,7 +9,7 @@ from dataclasses import dataclass
 LATER = ("preview", "live", "lsp")
 """Commands of the language's design that this version refuses by name."""
 
-LISTS = ("faces", "expressions", "actions", "muscles", "channels", "voices", "backends", "lives", "words")
+LISTS = ("faces", "looks", "expressions", "actions", "muscles", "channels", "voices", "backends", "lives", "words")
 
 
 @dataclass(frozen=True, slots=True)

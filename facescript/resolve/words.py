@@ -150,7 +150,7 @@ FACE: dict[str, Modifier] = {
         _valued("gaze", "gaze", "`eye-mover` or `head-mover`"),
         *(
             _valued(look, "look", f"the colour of its {look}, by name or `#rrggbb`")
-            for look in ("skin", "eyes", "lips")
+            for look in ("skin", "eyes", "lips", "scarf")
         ),
         *(_valued(look, "look", f"the kind of its {look}, and its colour") for look in ("clothes", "beard")),
         _valued("hair", "look", "the cut of its hair and its colour; `still` where it does not move with the head"),

@@ -83,7 +83,7 @@ def test_hair_that_is_still(written: str, hair: str, looks: tuple[tuple[str, str
         ("= woman\n    hare #5b3a22", "FS308"),
         ("= woman\n    hair brown", "FS249"),
         ("= woman\n    hair #5b3a22\n    hair #5b3a22", "FS310"),
-        ("= woman\n    hair still brown", "FS314"),
+        ("= woman\n    hair still brown", "FS249"),
         ("= woman\n    gaze eyes-mover", "FS329"),
         ("= woman\n    life clam", "FS206"),
         ("= woman\n    size 2m", "FS302"),

@@ -122,6 +122,18 @@ def test_a_fault_is_told_at_its_row_and_nothing_else_is(row: str, code: str) -> 
     assert span is not None and span.text in row
 
 
+def test_offsets_fit_the_shape_of_every_choice() -> None:
+    rows = (
+        "look brows usual, bold",
+        "shape one, in brow, law brow, when brows usual, fill skin.base, outline (0 0) (9 0) (0 9)",
+        "shape one, in brow, law brow, when brows bold, fill skin.base, outline (0 0) (9 0) (9 9) (0 9)",
+        "muscle chin, moves one, by (0 1) (0 2) (0 3)",
+    )
+    play, diagnostics = resolved(script(*rows))
+    assert play is None
+    assert [item.code for item in diagnostics] == ["FS247"]
+
+
 def test_a_faulty_kind_spoils_no_other_face() -> None:
     text = GOOD.replace("law contour", "law contur") + "face ada = woman\nada: nod\n"
     _, diagnostics = resolved(text)

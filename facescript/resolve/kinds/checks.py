@@ -23,7 +23,7 @@ def check(project: Project, kind: Kind) -> None:
         _measured(project, kind, shape)
     for pull in kind.pulls:
         _known(project, pull.shapes, shapes, pull.span)
-        _fits(project, pull, shapes)
+        _fits(project, pull, kind)
     for shade in kind.shades:
         _known(project, (shade.shape,), shapes, shade.span)
     if len(project.diagnostics.items) > before:
@@ -86,11 +86,11 @@ def _measured(project: Project, kind: Kind, shape: KindShape) -> None:
         project.report("FS244", shape.span, what=f"the measure `{asked}` of the {row}", name=shape.id, form=form)
 
 
-def _fits(project: Project, pull: Pull, shapes: dict[str, KindShape]) -> None:
-    """Offsets are one for all, or one for each anchor of each shape."""
+def _fits(project: Project, pull: Pull, kind: Kind) -> None:
+    """Offsets are one for all, or one for each anchor of each shape, whatever the looks."""
     if len(pull.by) <= 1:
         return
-    for shape in (shapes[name] for name in pull.shapes if name in shapes):
+    for shape in (shape for shape in kind.shapes if set(pull.shapes).intersection(names_of(shape))):
         count = sum(anchors(outline) for outline in shape.outlines)
         if shape.id in LIVE or count != len(pull.by):
             project.report("FS247", pull.span, name=shape.id, count=count, given=len(pull.by))

@@ -31,12 +31,12 @@ LOOKS = ("hair", "clothes", "beard", "brows", "glasses", "earrings")
 AMOUNTS = ("age", "width", "make-up", "freckles")
 """What a kind may have an amount of."""
 
-TINTED = ("skin", "hair", "eyes", "lips", "clothes", "glasses", "beard", "brows")
+TINTED = ("skin", "hair", "eyes", "lips", "clothes", "glasses", "beard", "brows", "scarf")
 """Families of colours that a face may have in another colour."""
 
 LAYERS = (
-    "background", "back", "hair-back", "neck", "clothes", "ears", "head", "face", "cheeks", "muzzle", "nose", "mouth",
-    "lips", "eye", "glasses", "brow", "beard", "hair-front", "front",
+    "background", "back", "hair-back", "neck", "clothes", "ears", "hair-middle", "head", "face", "cheeks", "muzzle",
+    "nose", "mouth", "lips", "eye", "glasses", "brow", "beard", "hair-front", "front",
 )  # fmt: skip
 """Groups of shapes, which pictures name; `eye` and `brow` are a layer for each side."""
 

@@ -127,18 +127,20 @@ class CartoonRig:
             y[effect.rows] += effect.dy * strength
         self._sway.move(x, y, named)
         forward[self._groups["mouth"]] += PUSHED_OUT * named["mouth.round"]
-        self._place_eyes(x, y, named)
+        self._place_eyes(x, y, forward, named)
         x, y = self._turn(x, y, forward, Pose.of(named, self.style.d))
         return x, y, pen
 
-    def _place_eyes(self, x: Floats, y: Floats, named: Columns) -> None:
-        """Each eye shifts and grows on its own, about its middle."""
+    def _place_eyes(self, x: Floats, y: Floats, forward: Floats, named: Columns) -> None:
+        """Each eye shifts and grows on its own, about its middle, in depth too."""
         unit = CM * self.style.d
         for eye in self.style.eyes:
             rows = self._groups[f"eye-{eye.name}"]
             aside, up, size = place(named, eye, self.style.d)
             x[rows] = (x[rows] - eye.x) * size + (eye.x + unit * aside)
             y[rows] = (y[rows] - eye.y) * size + (eye.y - unit * up)
+            deep = self._turn.z[rows]
+            forward[rows] = forward[rows] * size + (deep - deep.max()) * (size - 1.0)
 
     def _tone(self, pen: Pen, named: Columns, count: int) -> Floats:
         opacity = np.repeat(self._opacity[None, :], count, axis=0)

@@ -50,6 +50,9 @@ def signal(named: Columns, name: str) -> Floats:
         return np.maximum(whole if up == "up" else -whole, 0.0)
     if f"{name}.left" in named:
         return (named[f"{name}.left"] + named[f"{name}.right"]) / 2
+    amount, _, one = name.rpartition(".")
+    if one in SIDES and amount in named:
+        return named[amount]
     return np.zeros_like(named["head.yaw"])
 
 

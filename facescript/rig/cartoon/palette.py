@@ -14,24 +14,32 @@ Lab = tuple[float, float, float]
 TONED = 0.6
 """How much of a tone's own chroma and hue (against its base) a new colour keeps: all of it looks painted on."""
 
+COLOURED = 0.04
+"""From this chroma on a pale colour's shadows are as much more vivid than it as those of the drawn one: pale skin has
+shadows of flesh; a grey has grey ones."""
+
 BRIGHTEST = 1.6
 """Light tones stand out from a dark base by at most this many times what they do from the drawn one."""
 
 BROWS = "#2e211b", 0.4
 """Brows are darker than hair: the hair's colour with this share of this brown."""
 
+BEARD = "#3a2318", 0.15
+"""So are beards, by less."""
+
 
 def tinted(palette: Mapping[str, str], looks: Mapping[str, str]) -> Palette:
     """The palette with each family of `looks` (hair, skin, eyes, lips, clothes) built on the colour given.
 
     Every tone keeps its place in lightness against the family's `base`, and most of its share of chroma and its
-    difference of hue, measured in OKLab (B. Ottosson, 2020). Brows follow the hair. A family that the face
+    difference of hue, measured in OKLab (B. Ottosson, 2020). Brows and a beard follow the hair. A family that the face
     does not have (a dog's skin) changes nothing.
     """
     out = dict(palette)
     families = dict(looks)
     if "hair" in families:
         families.setdefault("brows", mix(families["hair"], *BROWS))
+        families.setdefault("beard", mix(families["hair"], *BEARD))
     for family, colour in families.items():
         if f"{family}.base" not in palette:
             continue
@@ -55,6 +63,8 @@ def _moved(tone: Lab, base: Lab, new: Lab) -> Lab:
     base_chroma, base_hue = _polar(base)
     new_chroma, new_hue = _polar(new)
     share = new_chroma * (chroma / max(base_chroma, 1e-3)) ** TONED
+    if chroma > base_chroma:
+        share = max(share, new_chroma + min(1.0, new_chroma / COLOURED) * (chroma - base_chroma))
     angle = new_hue + TONED * math.remainder(hue - base_hue, math.tau)
     return (darker if tone[0] <= base[0] else lighter, share * math.cos(angle), share * math.sin(angle))
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from facescript.ir.kind import Kind, KindJaw, Measures, Pull, Shade
+from facescript.performance.channels import SIDES
 from facescript.rig.cartoon.drawn import Choices, measured, parts_of
 from facescript.rig.cartoon.eye import EyeStyle
 from facescript.rig.cartoon.lips import MouthStyle
@@ -57,7 +58,9 @@ class FaceStyle:
 def style_of(kind: Kind, palette: Palette, choices: Choices, amounts: Mapping[str, float]) -> FaceStyle:
     """The style of a kind in a palette; what is not chosen is as usual."""
     chosen = {name: options[0] for name, options in kind.head.looks} | dict(choices)
-    parts = parts_of(kind, palette, chosen)
+    own = {name: amounts.get(name, usual) - usual for name, usual in kind.head.amounts}
+    hidden = _hidden(kind, own)
+    parts = [part for part in parts_of(kind, palette, chosen) if part.opacity > 0.0 or part.id not in hidden]
     return FaceStyle(
         name=kind.name,
         d=kind.distance,
@@ -75,8 +78,19 @@ def style_of(kind: Kind, palette: Palette, choices: Choices, amounts: Mapping[st
         shades=kind.shades,
         points=dict(kind.points),
         hair=kind.hair,
-        amounts={name: amounts.get(name, usual) - usual for name, usual in kind.head.amounts},
+        amounts=own,
     )
+
+
+def _hidden(kind: Kind, amounts: Mapping[str, float]) -> set[str]:
+    """The parts that only the face's amounts could show, and do not: they need not be drawn at all."""
+    found: set[str] = set()
+    for shade in kind.shades:
+        if all(term.signal in amounts for term in shade.terms):
+            shown = sum(term.share * amounts[term.signal] for term in shade.terms)
+            names = (shade.shape, *(f"{shade.shape}-{side}" for side in SIDES))
+            found.update(names if shown <= 0.0 else ())
+    return found
 
 
 def _eyes(measures: Measures, d: float) -> Iterator[Eye]:
