@@ -153,9 +153,11 @@ def test_brows_of_any_breadth_move_alike(kind: str, choice: str) -> None:
 
 
 def tints() -> Iterator[tuple[str, str, Tint]]:
+    """Kinds, families and the colours that have a name; an animal's hair is its fur."""
     for kind in kind_names():
-        for family, found in library_head(kind).tints:
-            yield from ((kind, family, tint) for tint in found)
+        head = library_head(kind)
+        for look, found in head.tints:
+            yield from ((kind, look if look in head.families else "fur", tint) for tint in found)
 
 
 @pytest.mark.parametrize(("kind", "family", "tint"), list(tints()), ids=lambda value: getattr(value, "name", value))

@@ -128,7 +128,11 @@ ASKING: Mapping[str, str] = {
 }
 """Live shapes that are there only with a measure of the eyes or the mouth."""
 
-TOOTHED: Mapping[str, str] = {"mouth-teeth-upper": "teeth-upper", "mouth-teeth-lower": "teeth-lower"}
+TOOTHED: Mapping[str, str] = {
+    "mouth-teeth-upper": "teeth-upper",
+    "mouth-teeth-gaps": "teeth-upper",
+    "mouth-teeth-lower": "teeth-lower",
+}
 """Live shapes for which a mouth with a muzzle needs a measure."""
 
 OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle", "near", "far")

@@ -133,7 +133,10 @@ def draw_inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> 
     narrow = 1 - 0.3 * shape.round
     back = -8.0 * (1 - bare) - 22.0 * shape.round - 6.0 * state.mean("press")
     if style.teeth_upper:
-        pen.loop("mouth-teeth-upper", _row(style.teeth_upper, narrow, back, -34.0))
+        upper = _row(style.teeth_upper, narrow, back, -34.0)
+        pen.loop("mouth-teeth-upper", upper)
+        for x, y in ((spot[0], spot[1]) for spot in upper[3:-3:3]):
+            pen.ribbon("mouth-teeth-gaps", [(x, y - 22, 0.01), (x, y - 8, 1.6), (x, y, 0.01)])
     ahead = shape.drop + 6.0 * (1 - bare) + 10.0 * shape.round + 18.0 * (1 - step(26.0, 54.0, shape.gap))
     if style.teeth_lower:
         pen.loop("mouth-teeth-lower", _row(style.teeth_lower, narrow, ahead, 30.0))
