@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from facescript.ir.play import Face, Film
 from facescript.performance.performance import REST, Frames
 from facescript.rig.cartoon.backdrop import backdrop
+from facescript.rig.cartoon.palette import named
 from facescript.rig.picture import Contour, Paint, Picture, Shape
 from facescript.rig.rigs import STYLES, rig
 from facescript.space.layout import Standing
@@ -24,7 +25,7 @@ BACKDROP = "background"
 def scenery(face: Face) -> tuple[tuple[Shape, ...], Picture]:
     """The shapes behind a face's bust, and their one frame."""
     style = STYLES[face.kind]
-    return backdrop(style, style.palette)
+    return backdrop(style, named(style.palette))
 
 
 class Actor:

@@ -34,7 +34,10 @@ def program() -> str | None:
 class Page:
     """One page of a browser of its own, `width` x `height` CSS pixels, one device pixel each."""
 
-    def __init__(self, address: str, width: int = 1280, height: int = 720, sound: bool = True) -> None:
+    def __init__(
+        self, address: str, width: int = 1280, height: int = 720, sound: bool = True, calm: bool = False
+    ) -> None:
+        """`sound`: pages may start it by themselves; `calm`: the viewer prefers reduced motion."""
         self.folder = tempfile.mkdtemp()
         flags = [flag for flag in FLAGS if sound or "autoplay" not in flag]
         binary = program()
@@ -46,6 +49,9 @@ class Page:
         self.call("Page.enable")
         metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
         self.call("Emulation.setDeviceMetricsOverride", **metrics)
+        if calm:
+            feature = {"name": "prefers-reduced-motion", "value": "reduce"}
+            self.call("Emulation.setEmulatedMedia", features=[feature])
         self.call("Page.navigate", url=address)
         self._until_loaded()
 

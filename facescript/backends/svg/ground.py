@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+from hashlib import sha256
 
 import numpy as np
 from lxml import etree
@@ -44,9 +45,7 @@ class Behind:
         self.layers += [layer for layer in others if layer not in self.layers]
         self.rows.append((time, self.colour, _covers(others, self.layers, total)))
 
-    def elements(
-        self, size: tuple[int, int], read: Callable[[str], bytes], paints: Paints, clock: Clock
-    ) -> Iterable[etree._Element]:
+    def elements(self, size: tuple[int, int], paints: Paints, clock: Clock) -> Iterable[etree._Element]:
         """The rectangle and the layers above it, animated; times count from the first moment."""
         box = {"width": str(size[0]), "height": str(size[1])}
         rectangle = svg("rect", **box)
@@ -54,9 +53,9 @@ class Behind:
         yield rectangle
         for layer in self.layers:
             if isinstance(layer, Photo):
-                element = svg("image", href=_address(read(layer.path)), preserveAspectRatio="xMidYMid slice", **box)
+                element = svg("use", href=f"#{photo_name(layer)}")
             else:
-                element = svg("rect", fill=paints.fill(layer.paint), **box)
+                element = svg("rect", **paints.fill(layer.paint), **box)
             animate(element, "opacity", self._covering(layer), clock)
             yield element
 
@@ -106,6 +105,14 @@ def _rgb(colour: str) -> Floats:
     return np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)], dtype=np.float64)
 
 
-def _address(data: bytes) -> str:
+def photo_name(photo: Photo) -> str:
+    """The id of a picture, the same whatever else there is."""
+    return f"photo-{sha256(photo.path.encode()).hexdigest()[:8]}"
+
+
+def photo_element(photo: Photo, data: bytes, size: tuple[int, int]) -> etree._Element:
+    """A picture that fills the film, to be used."""
     kind = next((kind for first, kind in KINDS.items() if data.startswith(first)), "application/octet-stream")
-    return f"data:{kind};base64,{base64.b64encode(data).decode('ascii')}"
+    address = f"data:{kind};base64,{base64.b64encode(data).decode('ascii')}"
+    box = {"width": str(size[0]), "height": str(size[1]), "preserveAspectRatio": "xMidYMid slice"}
+    return svg("image", id=photo_name(photo), href=address, **box)

@@ -19,11 +19,12 @@ STRAIGHT = (0.0, 0.0, 1.0, 1.0)
 @dataclass(frozen=True, slots=True)
 class Track:
     """Key frames of one attribute: times in seconds from the start, the attribute's text at each, and the ease of the
-    way to each from the one before (none: all straight)."""
+    way to each from the one before (none: all straight). Where there is a `base`, values are added to it."""
 
     times: Sequence[float]
     values: Sequence[str]
     eases: Sequence[tuple[float, ...]] = ()
+    base: str | None = None
 
     @property
     def still(self) -> bool:
@@ -72,9 +73,10 @@ class Clock:
 
 def animate(element: etree._Element, attribute: str, track: Track, clock: Clock) -> None:
     """Give an element its attribute's first value, and the animation of the rest where there is any."""
-    element.set(attribute, track.values[0])
+    element.set(attribute, track.values[0] if track.base is None else track.base)
     if not track.still:
-        element.append(svg("animate", attributeName=attribute, **_course(track, clock)))
+        added = {} if track.base is None else {"additive": "sum"}
+        element.append(svg("animate", attributeName=attribute, **added, **_course(track, clock)))
 
 
 def carry(element: etree._Element, carried: Sequence[Carried], clock: Clock) -> None:
