@@ -31,16 +31,19 @@ pixel."""
 UNIT_STILL = 0.1
 """The same of a picture that stands."""
 
-FIT = 0.3
-"""Of what a point may be off, what the outline in fewer numbers may take."""
+FIT = 0.25
+"""Pixels that the outline in fewer numbers may take of what a point may be off."""
+
+FIT_STILL = 0.08
+"""The same of a picture that stands."""
 
 OFF = 0.5
 """Pixels a point may be off."""
 
-TICK = 0.004
+TICK = 0.008
 """Seconds: all key times are whole multiples of it."""
 
-STEP = 4
+STEP = 2
 """Ticks between two moments looked at where nothing is quick."""
 
 BEFORE = 1e-6
@@ -75,7 +78,7 @@ class Animation:
 def animation(job: Job) -> Animation:
     """The key frames of a job's stretch. Memory holds a chunk of frames and the keys found."""
     shapes = job.stage.shapes
-    unit = UNIT if job.at is None else UNIT_STILL
+    unit, fit = (UNIT, FIT) if job.at is None else (UNIT_STILL, FIT_STILL)
     columns = [_columns(shape) for shape in shapes]
     outlines = [Keys() for _ in shapes]
     shades = Swing(np.arange(len(shapes)), len(shapes), 1.0)
@@ -87,7 +90,7 @@ def animation(job: Job) -> Animation:
     some = _telling(job, moments)
     seen = job.stage.frames(some).points
     curved = [
-        curves(_inside(carrying[number], some, seen[:, column], unit), _lengths(shape), FIT * min(OFF, unit))
+        curves(_inside(carrying[number], some, seen[:, column], unit), _lengths(shape), fit)
         for shape, column, number in zip(shapes, columns, carried, strict=True)
     ]
     for first in range(0, len(moments), CHUNK):
@@ -100,7 +103,7 @@ def animation(job: Job) -> Animation:
             points = drawn.points[kept][:, column]
             mine = _inside(carrying[number], chunk[kept], points, unit)
             rows = (curved[place].map @ mine / unit).reshape(len(mine), -1)
-            allowed = sight.tolerances(place, kept, curved[place].spots, off[number])
+            allowed = sight.tolerances(place, curved[place].spots, off[number])[kept]
             keys.follow(chunk[kept], rows, Edge.of(curved[place], mine, allowed, unit))
         for time, opacity, ground in zip(chunk.tolist(), shown, drawn.grounds, strict=True):
             (shades.push if shades.begun else shades.begin)(time, opacity / SHADE)
@@ -140,11 +143,12 @@ def _columns(shape: Shape) -> Ints:
 
 
 def _outline(keys: Keys, curved: Curves, start: float) -> Track:
-    """The outline at the start, and what is added to it: differences are short."""
+    """An outline in the middle of all, and what is added to it: differences are short."""
     values = [row.reshape(-1, 2) for row in keys.values]
-    added = tuple(path_text(value - values[0], curved.chains) for value in values)
+    base = values[0] if len(values) < 3 else np.rint(np.median(values, axis=0)).astype(np.int64)
+    added = tuple(path_text(value - base, curved.chains) for value in values)
     times = tuple(time - start for time in keys.times)
-    return Track(times, added, keys.eases, base=path_text(values[0], curved.chains))
+    return Track(times, added, keys.eases, base=path_text(base, curved.chains))
 
 
 def _carried(carrier: Carrier, start: float) -> tuple[Carried, ...]:

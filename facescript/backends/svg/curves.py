@@ -18,10 +18,10 @@ FINE = 12
 SOME = 3
 """Of those samples, how many apart those are at which it is held to the outline ever after."""
 
-ROUNDS = 4
+ROUNDS = 3
 """How often the samples are given anew to the nearest points of the chain."""
 
-NEAR = 24
+NEAR = 12
 """Places of a quadratic at which they are looked for."""
 
 MOST = 3
@@ -168,7 +168,7 @@ def _chain(poses: Floats, segments: list[int], closed: bool, off: float) -> _Fit
     across = np.stack([-along[..., 1], along[..., 0]], axis=2)
     across /= np.maximum(np.linalg.norm(along, axis=2), 1e-9)[..., None]
     worst, few = 0, slice(1, None, SOME)
-    for count in range(3 if closed else 1, MOST * len(segments) + 3):
+    for count in _counts(3 if closed else 1, len(segments)):
         controls, basis = _fitted(poses.mean(axis=0), sampled, ends, count, closed)
         away = np.abs(((basis @ (controls @ poses) - wanted) * across).sum(axis=2)).max(axis=0)
         missed = float(away.max())
@@ -176,6 +176,14 @@ def _chain(poses: Floats, segments: list[int], closed: bool, off: float) -> _Fit
             break
         worst = int(away.argmax())
     return _Fit(Chain(controls, closed, basis[few], sampled[few], slope[few]), missed, worst)
+
+
+def _counts(least: int, segments: int) -> list[int]:
+    """The numbers of quadratics tried: the more there are, the wider apart."""
+    found = [max(least, segments // 2)]
+    while found[-1] < MOST * segments:
+        found.append(max(found[-1] + 1, found[-1] * 9 // 8))
+    return found
 
 
 def _rows(weights: Floats, segments: list[int], points: int) -> Floats:

@@ -44,27 +44,29 @@ class Sight:
         for number, shape in enumerate(self.shapes):
             if shape.clip:
                 mine = self.points[:, self.columns[number]]
-                shown[:, number] *= self._outside(number, mine.min(axis=1), mine.max(axis=1)) <= MARGIN
+                shown[:, number] *= self._hidden(number, mine.min(axis=1), mine.max(axis=1)) <= MARGIN
         return shown
 
-    def tolerances(self, number: int, kept: Bools, spots: Floats, off: float) -> Floats:
-        """How far spots (sums of the shape's points) may be off, array[kept moment, spot], where at least `off` is
-        allowed: more where the shape is faint, and by as much as they are hidden outside of what clips it."""
-        opacity = np.clip(self.opacity[kept, number], FAINT / FAINTEST, FAINT)
+    def tolerances(self, number: int, spots: Floats, off: float) -> Floats:
+        """How far spots (sums of the shape's points) may be off, array[moment, spot], where at least `off` is allowed:
+        more where the shape is faint, and by as much as they are hidden outside of what clips it."""
+        opacity = np.clip(self.opacity[:, number], FAINT / FAINTEST, FAINT)
         allowed = np.repeat(off * FAINT / opacity[:, None], len(spots), axis=1)
         if not self.shapes[number].clip:
             return allowed
-        where = spots @ self.points[kept][:, self.columns[number]]
-        hidden = np.stack([self._outside(number, spot, spot, kept) for spot in where.transpose(1, 0, 2)], axis=1)
-        return np.asarray(np.maximum(allowed, hidden - MARGIN))
+        where = spots @ self.points[:, self.columns[number]]
+        return np.asarray(np.maximum(allowed, self._hidden(number, where, where) - MARGIN))
 
-    def _outside(self, number: int, low: Floats, high: Floats, kept: Bools | slice = slice(None)) -> Floats:
-        """Pixels between boxes array[moment, xy] and the nearest box of what clips a shape."""
-        places = [place for place, shape in enumerate(self.shapes) if shape.id in self.shapes[number].clip]
+    def _hidden(self, number: int, low: Floats, high: Floats) -> Floats:
+        """Pixels between boxes array[moment, ..., xy] and the box of what clips a shape, the nearest of several."""
         gaps = []
-        for place in places:
-            clip = self.points[kept][:, self.columns[place]]
-            gaps.append(np.maximum(low - clip.max(axis=1), clip.min(axis=1) - high).max(axis=1))
+        for place, shape in enumerate(self.shapes):
+            if shape.id in self.shapes[number].clip:
+                clip = self.points[:, self.columns[place]]
+                first, last = clip.min(axis=1), clip.max(axis=1)
+                if low.ndim > 2:
+                    first, last = first[:, None], last[:, None]
+                gaps.append(np.maximum(low - last, first - high).max(axis=-1))
         return np.asarray(np.min(gaps, axis=0))
 
 

@@ -52,22 +52,22 @@ def svg(tag: str, **attributes: str) -> etree._Element:
 
 @dataclass(frozen=True, slots=True)
 class Clock:
-    """The animations' common length: a power of ten seconds, so that whole milliseconds are short fractions of it."""
+    """The animations' common length: eight times a power of ten seconds, so that whole multiples of eight milliseconds
+    are short fractions of it."""
 
     seconds: float
-    digits: int
 
     @classmethod
     def around(cls, duration: float) -> Clock:
         """The clock of a film of `duration` seconds."""
-        seconds, digits = 1.0, 3
+        seconds = 8.0
         while seconds < duration:
-            seconds, digits = seconds * 10, digits + 1
-        return cls(seconds, digits)
+            seconds *= 10
+        return cls(seconds)
 
     def fraction(self, time: float) -> str:
-        """A time as a key time, without what need not be written."""
-        text = f"{time / self.seconds:.{self.digits}f}".rstrip("0").rstrip(".")
+        """A time as a key time, to the microsecond, without what need not be written."""
+        text = f"{time / self.seconds:.8f}".rstrip("0").rstrip(".")
         return text.removeprefix("0") or "0"
 
 
