@@ -50,7 +50,9 @@ def main() -> None:
             opened.append(seconds)
             pairs.append((ours / blank, ours, blank))
     share, ours, blank = sorted(pairs)[RUNS // 2]
-    row("that SVG in Chromium", f"{share:.2f} ({ours:.0f} of {blank:.0f} frames/s)", "0.9 of a blank page", share >= 0.9)
+    row(
+        "that SVG in Chromium", f"{share:.2f} ({ours:.0f} of {blank:.0f} frames/s)", "0.9 of a blank page", share >= 0.9
+    )
     seconds = statistics.median(opened)
     row("that SVG opens in Chromium", f"{seconds * 1000:.0f} ms", "500 ms", seconds <= 0.5)
 

@@ -40,6 +40,7 @@ class Page:
         """`sound`: pages may start it by themselves; `calm`: the viewer prefers reduced motion."""
         self.folder = tempfile.mkdtemp()
         flags = [flag for flag in FLAGS if sound or "autoplay" not in flag]
+        flags += ["--force-prefers-reduced-motion"] if calm else []
         binary = program()
         assert binary is not None
         words = [binary, *flags, f"--user-data-dir={self.folder}", f"--window-size={width},{height}", "about:blank"]
@@ -49,9 +50,6 @@ class Page:
         self.call("Page.enable")
         metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
         self.call("Emulation.setDeviceMetricsOverride", **metrics)
-        if calm:
-            feature = {"name": "prefers-reduced-motion", "value": "reduce"}
-            self.call("Emulation.setEmulatedMedia", features=[feature])
         self.call("Page.navigate", url=address)
         self._until_loaded()
 

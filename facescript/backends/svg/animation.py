@@ -122,7 +122,8 @@ def animation(job: Job) -> Animation:
 
 def _inside(carrier: Carrier, times: Floats, points: Floats, unit: float) -> Floats:
     """Points array[moment, point, 2] as they stand inside their carrier's group, in pixels there."""
-    return carrier.undo(times, points / (unit / 2)) * (unit / 2)
+    inside: Floats = carrier.undo(times, points / (unit / 2)) * (unit / 2)
+    return inside
 
 
 def _telling(job: Job, moments: Floats) -> Floats:
@@ -130,7 +131,8 @@ def _telling(job: Job, moments: Floats) -> Floats:
     some = moments[np.unique(np.linspace(0, len(moments) - 1, 1000).astype(np.intp))]
     values = job.performance.sample(some)
     evenly = np.linspace(0, len(some) - 1, 40).astype(np.intp)
-    return some[np.unique(np.concatenate([evenly, values.argmax(axis=0), values.argmin(axis=0)]))]
+    chosen: Floats = some[np.unique(np.concatenate([evenly, values.argmax(axis=0), values.argmin(axis=0)]))]
+    return chosen
 
 
 def _lengths(shape: Shape) -> list[int]:

@@ -89,7 +89,9 @@ def curves(poses: Floats, lengths: Sequence[int], off: float) -> Curves:
         np.concatenate([_wide(getattr(chain, part), first, points) for chain, first in every])
         for part in ("map", "sampled", "slope")
     )
-    basis = np.concatenate([_wide(chain.basis, start, controls) for (chain, _), start in zip(every, starts, strict=True)])
+    basis = np.concatenate(
+        [_wide(chain.basis, start, controls) for (chain, _), start in zip(every, starts, strict=True)]
+    )
     corners = [start for (chain, _), start in zip(every, starts, strict=True) if not chain.closed]
     basis = np.concatenate([basis, np.eye(controls)[corners]])
     return Curves(tuple(map(tuple, contours)), maps, basis, np.concatenate([sampled, maps[corners]]), slope)

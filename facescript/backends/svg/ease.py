@@ -95,9 +95,7 @@ class Keys:
         self.values.append(values)
 
 
-def _fit(
-    times: Floats, rows: Floats, way: slice, anchor: Floats, limit: Limit
-) -> tuple[Spline, Floats] | None:
+def _fit(times: Floats, rows: Floats, way: slice, anchor: Floats, limit: Limit) -> tuple[Spline, Floats] | None:
     """The ease, and the step in whole units, of one way from `anchor` that keeps to the limit; None where none does.
 
     The end is what fits all rows best and not just the last: that makes ways longer at the same limit.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
@@ -79,7 +79,7 @@ def face_groups(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: lis
         yield group
 
 
-def _part(showing: Showing, elements: Iterator[etree._Element]) -> etree._Element:
+def _part(showing: Showing, elements: Iterable[etree._Element]) -> etree._Element:
     """A showing's share of a group; programs without style sheets see what plays alone."""
     part = svg("g", class_=showing.name, **({} if showing.name == PLAYED else {"display": "none"}))
     part.extend(elements)

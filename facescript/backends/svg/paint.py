@@ -44,7 +44,9 @@ class Paints:
             element = _gradient(paint, name)
             for stop in paint.stops:
                 opacity = {"stop_opacity": _n(stop.opacity)} if stop.opacity < 1 else {}
-                element.append(svg("stop", offset=_n(stop.offset), **self._colour("stop_color", stop.colour), **opacity))
+                element.append(
+                    svg("stop", offset=_n(stop.offset), **self._colour("stop_color", stop.colour), **opacity)
+                )
             yield element
 
     def rules(self) -> list[str]:
