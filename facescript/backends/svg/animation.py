@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,7 +35,7 @@ UNIT_STILL = 0.1
 FIT = 0.25
 """Pixels that the outline in fewer numbers may take of what a point may be off."""
 
-FIT_STILL = 0.08
+FIT_STILL = 0.15
 """The same of a picture that stands."""
 
 OFF = 0.5
@@ -63,10 +64,12 @@ HEAD_BEND = 0.04
 class Animation:
     """Outline and opacity of every shape over time, the transforms that carry it, and what lies behind all.
 
-    Outlines and translations are in `quantum` pixels; `carried` says which of the carriers is whose.
+    Outlines and translations are in `quantum` pixels; `curved` are the outlines' curves, and `carried` says which of
+    the carriers is whose.
     """
 
     quantum: float
+    curved: tuple[Curves, ...]
 
     outlines: tuple[Track, ...]
     opacities: tuple[Track, ...]
@@ -75,8 +78,9 @@ class Animation:
     behind: Behind
 
 
-def animation(job: Job) -> Animation:
-    """The key frames of a job's stretch. Memory holds a chunk of frames and the keys found."""
+def animation(job: Job, curved: Sequence[Curves] = ()) -> Animation:
+    """The key frames of a job's stretch, with the curves of another stretch where they are given. Memory holds a chunk
+    of frames and the keys found."""
     shapes = job.stage.shapes
     unit, fit = (UNIT, FIT) if job.at is None else (UNIT_STILL, FIT_STILL)
     columns = [_columns(shape) for shape in shapes]
@@ -89,7 +93,7 @@ def animation(job: Job) -> Animation:
     off = [OFF / carrier.largest() for carrier in carrying]
     some = _telling(job, moments)
     seen = job.stage.frames(some).points
-    curved = [
+    curved = curved or [
         curves(_inside(carrying[number], some, seen[:, column], unit), _lengths(shape), fit)
         for shape, column, number in zip(shapes, columns, carried, strict=True)
     ]
@@ -112,6 +116,7 @@ def animation(job: Job) -> Animation:
     shades.finish()
     return Animation(
         unit / 2,
+        tuple(curved),
         tuple(_outline(keys, curve, moments[0]) for keys, curve in zip(outlines, curved, strict=True)),
         tuple(_shade(keys, moments[0]) for keys in shades.keys),
         carried,

@@ -21,7 +21,7 @@ SOME = 3
 ROUNDS = 3
 """How often the samples are given anew to the nearest points of the chain."""
 
-NEAR = 12
+NEAR = 8
 """Places of a quadratic at which they are looked for."""
 
 MOST = 3
@@ -184,7 +184,7 @@ def _counts(least: int, segments: int) -> list[int]:
     """The numbers of quadratics tried: the more there are, the wider apart."""
     found = [max(least, segments // 2)]
     while found[-1] < MOST * segments:
-        found.append(max(found[-1] + 1, found[-1] * 9 // 8))
+        found.append(max(found[-1] + 1, found[-1] * 6 // 5))
     return found
 
 

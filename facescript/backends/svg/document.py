@@ -42,7 +42,8 @@ def write_svg(job: Job, path: Path, sound: bool = True) -> None:
 def write_document(job: Job, out: IO[bytes], sound: bool) -> None:
     length = 0.0 if job.at is not None else job.end - job.start
     played = animation(job)
-    stood = animation(replace(job, at=telling_moment(job), progress=quiet)) if job.at is None else None
+    still = replace(job, at=telling_moment(job), progress=quiet) if job.at is None else None
+    stood = animation(still, played.curved) if still else None
     address = sound_address(job.heard) if sound else None
     with etree.xmlfile(out, encoding="utf-8") as file:
         file.write_declaration()
