@@ -183,7 +183,7 @@ def _chain(poses: Floats, segments: list[int], closed: bool, off: float) -> _Fit
 def _counts(least: int, segments: int) -> list[int]:
     """The numbers of quadratics tried: the more there are, the wider apart."""
     found = [max(least, segments // 2)]
-    while found[-1] < MOST * segments:
+    while found[-1] < MOST * segments + 3:
         found.append(max(found[-1] + 1, found[-1] * 6 // 5))
     return found
 
