@@ -156,7 +156,9 @@ def main() -> None:
     faces = [frame(STRIPPED.format(kind=k, looks=how, what=what, yaw=y), 0.9) for k, how, what, y in STRIP]
     strangers = [frame(STRANGER.format(kind=("woman", "man")[seed % 2], seed=seed), 0.5) for seed in range(1, 13)]
     lower(grid([small(picture) for picture in strangers], 6), 420).save(PLACE / "strangers.png", optimize=True)
-    lower(frame((EXAMPLES / "monster.face").read_text("utf-8"), 0.9, EXAMPLES), 400).save(PLACE / "monster.png", optimize=True)
+    lower(frame((EXAMPLES / "monster.face").read_text("utf-8"), 0.9, EXAMPLES), 400).save(
+        PLACE / "monster.png", optimize=True
+    )
     lower(grid([small(picture) for picture in faces], len(faces)), 220).save(PLACE / "faces.png", optimize=True)
     plots()
     gallery()

@@ -13,6 +13,19 @@ from facescript.performance.performance import Frames
 Floats = NDArray[np.float64]
 
 
+class Tone(str):
+    """A colour `#rrggbb` that knows its `name` in the palette, `family.tone`, or of which tones it is a `mixture`:
+    (one, the other, the other's share). Outputs with names of their own can keep it."""
+
+    name: str
+    mixture: tuple[str, str, float] | None
+
+    def __new__(cls, colour: str, name: str, mixture: tuple[str, str, float] | None = None) -> Tone:
+        tone = super().__new__(cls, colour)
+        tone.name, tone.mixture = name, mixture
+        return tone
+
+
 @dataclass(frozen=True, slots=True)
 class Stop:
     """A gradient's stop: place 0..1, colour `#rrggbb`, opacity 0..1."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import numpy as np
 from lxml import etree
 
 from facescript.backends.svg.paint import Paints
-from facescript.backends.svg.path import path_text
+from facescript.backends.svg.path import Ints, numbers
 from facescript.backends.svg.track import svg
 from facescript.plot.svg import document, told
 from facescript.rig.picture import Shape
@@ -31,14 +32,14 @@ def write_svg(page: Page, path: Path) -> None:
 
 def sheet(page: Page) -> etree._Element:
     """The whole page as one `svg` element."""
-    root, pen = document(page.drawing), Pen()
+    root, pens = document(page.drawing), Pens()
     for _, group in groupby(page.spots, key=lambda spot: (spot.face.name, spot.close)):
         spots = list(group)
         drawn = portraits(spots[0].face, [spot.cell for spot in spots], SIDE, spots[0].close)
         for number, spot in enumerate(spots):
-            root.append(_portrait(spot, drawn, number, pen))
+            root.append(_portrait(spot, drawn, number, pens.of(spot.face.name, drawn.shapes)))
     definitions = svg("defs")
-    definitions.extend([*pen.paints.elements(), *pen.clips.values()])
+    definitions.extend(pens.definitions())
     root.insert(2, definitions)
     return root
 
@@ -52,11 +53,28 @@ def _portrait(spot: Spot, drawn: Portraits, number: int, pen: Pen) -> etree._Ele
     return element
 
 
-class Pen:
-    """Shapes to elements. Paths, clips and paints that come again are the first ones used again."""
+class Pens:
+    """A pen a face."""
 
     def __init__(self) -> None:
-        self.paints = Paints()
+        self._pens: dict[str, Pen] = {}
+
+    def of(self, face: str, shapes: tuple[Shape, ...]) -> Pen:
+        """The pen that draws a face of these shapes."""
+        return self._pens.setdefault(face, Pen(face, shapes))
+
+    def definitions(self) -> Iterator[etree._Element]:
+        """What all that was drawn refers to."""
+        for pen in self._pens.values():
+            yield from (*pen.paints.elements(), *pen.clips.values())
+
+
+class Pen:
+    """Shapes of one face to elements. Paths, clips and paints that come again are the first ones used again."""
+
+    def __init__(self, face: str, shapes: tuple[Shape, ...]) -> None:
+        self.face = face
+        self.paints = Paints(face, [replace(shape, id=f"{face}-{shape.id}") for shape in shapes])
         self.clips: dict[tuple[str, ...], etree._Element] = {}
         self._paths: dict[tuple[str, ...], etree._Element] = {}
         self._shared = 0
@@ -71,7 +89,7 @@ class Pen:
 
     def _path(self, shape: Shape, outlines: dict[str, str], level: int) -> etree._Element:
         clip = self._clip(outlines[name] for name in shape.clip) if shape.clip else ""
-        look = {"fill": self.paints.fill(shape.fill), "d": outlines[shape.id]}
+        look = {**self.paints.fill(shape.fill), "d": outlines[shape.id]}
         look |= {"opacity": f"{level / SHADE:g}"} if level < SHADE else {}
         look |= {"clip_path": f"url(#{clip})"} if clip else {}
         first = self._paths.get(key := tuple(look.values()))
@@ -80,17 +98,23 @@ class Pen:
             return path
         if first.get("id") is None:
             self._shared += 1
-            first.set("id", f"p{self._shared}")
+            first.set("id", f"{self.face}-p{self._shared}")
         return svg("use", href=f"#{first.get('id')}")
 
     def _clip(self, outlines: Iterable[str]) -> str:
         key = tuple(outlines)
         if key not in self.clips:
-            self.clips[key] = element = svg("clipPath", id=f"c{len(self.clips) + 1}")
+            self.clips[key] = element = svg("clipPath", id=f"{self.face}-c{len(self.clips) + 1}")
             element.extend(svg("path", d=outline) for outline in key)
         return str(self.clips[key].get("id"))
 
 
-def _outline(shape: Shape, places: np.ndarray[tuple[int, ...], np.dtype[np.int64]]) -> str:
-    parts = [places[each.first : each.first + each.count] for each in shape.contours]
-    return path_text(np.concatenate(parts), tuple(each.count for each in shape.contours))
+def _outline(shape: Shape, places: Ints) -> str:
+    """A shape's contours in whole units: relative cubics, which start where the contour before ended."""
+    parts, at = [], np.zeros(2, dtype=np.int64)
+    for each in shape.contours:
+        contour = places[each.first : each.first + each.count]
+        anchors = np.repeat(contour[:-1:3], 3, axis=0)
+        parts.append(f"m{numbers(contour[0] - at)}c{numbers(contour[1:] - anchors)}")
+        at = contour[-1]
+    return "".join(parts)

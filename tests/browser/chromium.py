@@ -34,9 +34,13 @@ def program() -> str | None:
 class Page:
     """One page of a browser of its own, `width` x `height` CSS pixels, one device pixel each."""
 
-    def __init__(self, address: str, width: int = 1280, height: int = 720, sound: bool = True) -> None:
+    def __init__(
+        self, address: str, width: int = 1280, height: int = 720, sound: bool = True, calm: bool = False
+    ) -> None:
+        """`sound`: pages may start it by themselves; `calm`: the viewer prefers reduced motion."""
         self.folder = tempfile.mkdtemp()
         flags = [flag for flag in FLAGS if sound or "autoplay" not in flag]
+        flags += ["--force-prefers-reduced-motion"] if calm else []
         binary = program()
         assert binary is not None
         words = [binary, *flags, f"--user-data-dir={self.folder}", f"--window-size={width},{height}", "about:blank"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import imageio.v3 as iio
@@ -50,9 +51,9 @@ def minute(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "minute.svg"
 
 
-def ours(time: float, folder: Path) -> NDArray[np.int16]:
-    place = folder / f"frame-{time:.3f}.png"
-    assert main(["build", str(EXAMPLES / "evening.face"), "-o", str(place), "--at", f"{time:.3f}s", "--quiet"]) == 0
+def ours(moment: float, folder: Path) -> NDArray[np.int16]:
+    place = folder / f"frame-{moment:.3f}.png"
+    assert main(["build", str(EXAMPLES / "evening.face"), "-o", str(place), "--at", f"{moment:.3f}s", "--quiet"]) == 0
     return np.asarray(iio.imread(place))[..., :3].astype(np.int16)
 
 
@@ -74,13 +75,13 @@ def test_looks_like_our_frames(evening: Path, tmp_path: Path) -> None:
             ".map(b => [b.left, b.top, b.right, b.bottom])"
         )
         assert len(boxes) == 2
-        for time in np.linspace(0.05, 0.97, 10) * duration:
-            page.run(f"document.documentElement.setCurrentTime({time:.3f})")
-            difference = np.abs(page.picture().astype(np.int16) - ours(round(time, 3), tmp_path)).mean(axis=2)
+        for moment in np.linspace(0.05, 0.97, 10) * duration:
+            page.run(f"document.documentElement.setCurrentTime({moment:.3f})")
+            difference = np.abs(page.picture().astype(np.int16) - ours(round(moment, 3), tmp_path)).mean(axis=2)
             for left, top, right, bottom in boxes:
                 part = difference[max(0, int(top)) : int(bottom), max(0, int(left)) : int(right)]
-                assert part.mean() < 2, f"at {time:.3f} s"
-            assert tiles(difference).max() <= 12, f"at {time:.3f} s"
+                assert part.mean() < 2, f"at {moment:.3f} s"
+            assert tiles(difference).max() <= 12, f"at {moment:.3f} s"
 
 
 def in_step(page: Page, start: int) -> bool:
@@ -125,3 +126,56 @@ def test_a_still_and_the_shortest_films(evening: Path, tmp_path: Path) -> None:
         assert main(["build", str(tmp_path / "short.face"), "-o", str(tmp_path / "out.svg"), "--quiet", *words]) == 0
         with Page((tmp_path / "out.svg").as_uri()) as page:
             assert np.ptp(page.picture()) > 100
+
+
+def test_plays_where_scripts_are_off(evening: Path) -> None:
+    with Page("about:blank#", 640, 360) as page:
+        page.call("Emulation.setScriptExecutionDisabled", value=True)
+        page.call("Page.navigate", url=evening.as_uri())
+        pictures = []
+        for _ in range(3):
+            page.run("0")
+            pictures.append(page.picture().astype(int))
+            time.sleep(0.8)
+        assert max(np.abs(picture - pictures[0]).max() for picture in pictures) > 20
+
+
+def test_a_pages_style_sheet_changes_the_colours(evening: Path, tmp_path: Path) -> None:
+    inline = evening.read_text("utf-8").split("?>", 1)[1].replace("<script", "<script type='text/none'")
+    sheet = "[data-face=ada] {--clothes-base: #ff0000; --hair-top: #0000ff}"
+    for name, style in (("plain", ""), ("styled", f"<style>{sheet}</style>")):
+        (tmp_path / f"{name}.html").write_text(f"<!DOCTYPE html>{style}<body style='margin:0'>{inline}", "utf-8")
+    seen = []
+    for name in ("plain", "styled"):
+        with Page((tmp_path / f"{name}.html").as_uri()) as page:
+            page.run("document.querySelector('svg').pauseAnimations()")
+            page.run("document.querySelector('svg').setCurrentTime(1)")
+            page.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+            bust = page.run("(b => [b.left, b.right])(document.getElementById('ada').getBoundingClientRect())")
+            seen.append(page.picture().astype(int))
+    change = seen[1] - seen[0]
+    assert change[..., 0].max() > 100, "no redder clothes"
+    assert change[..., 2].max() > 50, "no bluer hair"
+    changed = np.flatnonzero(np.abs(change).max(axis=(0, 2)) > 8)
+    assert bust[0] - 1 <= changed.min() <= changed.max() <= bust[1] + 1, "not ada alone"
+
+
+def test_stands_still_where_motion_is_not_wanted(evening: Path, tmp_path: Path) -> None:
+    (tmp_path / "page.html").write_text(f'<img src="{evening.as_uri()}" width="1280" height="720">')
+    with Page((tmp_path / "page.html").as_uri(), calm=True) as page:
+        page.run("new Promise(done => setTimeout(done, 300))")
+        first = page.picture().astype(int)
+        assert np.ptp(first[200:500, 200:500]) > 100, "nobody is there"
+        page.run("new Promise(done => setTimeout(done, 1200))")
+        assert np.abs(page.picture().astype(int) - first).max() == 0
+
+
+def test_plays_on_request_where_motion_is_not_wanted(evening: Path) -> None:
+    with Page(evening.as_uri(), calm=True) as page:
+        page.run("new Promise(done => setTimeout(done, 400))")
+        assert page.run("document.querySelector('audio').paused")
+        page.click(640, 360)
+        page.run("new Promise(done => setTimeout(done, 800))")
+        assert page.run("document.documentElement.getCurrentTime()") > 0.1
+        assert page.run("getComputedStyle(document.querySelector('.figure > .played')).display") != "none"
+        assert page.run("getComputedStyle(document.querySelector('.figure > .stood')).display") == "none"

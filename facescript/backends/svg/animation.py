@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 
 from facescript.backends.job import Job
 from facescript.backends.svg.carry import ANGLE, PLACE, SIZE, Carrier, carriers
+from facescript.backends.svg.curves import Curves, curves
 from facescript.backends.svg.ease import Keys
 from facescript.backends.svg.ground import SHADE, Behind
 from facescript.backends.svg.keys import Swing
+from facescript.backends.svg.limit import Edge
 from facescript.backends.svg.path import path_text
-from facescript.backends.svg.seen import around, inside_clips
+from facescript.backends.svg.seen import Sight, around
 from facescript.backends.svg.track import Carried, Track
 from facescript.performance.channels import Channel
 from facescript.rig.picture import Shape
@@ -23,16 +25,26 @@ from facescript.rig.picture import Shape
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-QUANTUM = 0.25
-"""Pixels: coordinates are whole multiples of it. Measured: the smallest files at the same half pixel."""
+UNIT = 0.5
+"""Pixels: controls are whole multiples of it, joints of half of it. Measured: the smallest files at the same half
+pixel."""
+
+UNIT_STILL = 0.1
+"""The same of a picture that stands."""
+
+FIT = 0.25
+"""Pixels that the outline in fewer numbers may take of what a point may be off."""
+
+FIT_STILL = 0.15
+"""The same of a picture that stands."""
 
 OFF = 0.5
 """Pixels a point may be off."""
 
-TICK = 0.004
+TICK = 0.008
 """Seconds: all key times are whole multiples of it."""
 
-STEP = 4
+STEP = 2
 """Ticks between two moments looked at where nothing is quick."""
 
 BEFORE = 1e-6
@@ -52,8 +64,12 @@ HEAD_BEND = 0.04
 class Animation:
     """Outline and opacity of every shape over time, the transforms that carry it, and what lies behind all.
 
-    Outlines and translations are in QUANTUM pixels; `carried` says which of the carriers is whose.
+    Outlines and translations are in `quantum` pixels; `curved` are the outlines' curves, and `carried` says which of
+    the carriers is whose.
     """
+
+    quantum: float
+    curved: tuple[Curves, ...]
 
     outlines: tuple[Track, ...]
     opacities: tuple[Track, ...]
@@ -62,31 +78,46 @@ class Animation:
     behind: Behind
 
 
-def animation(job: Job, shapes: tuple[Shape, ...]) -> Animation:
-    """The key frames of a job's stretch. Memory holds a chunk of frames and the keys found."""
+def animation(job: Job, curved: Sequence[Curves] = ()) -> Animation:
+    """The key frames of a job's stretch, with the curves of another stretch where they are given. Memory holds a chunk
+    of frames and the keys found."""
+    shapes = job.stage.shapes
+    unit, fit = (UNIT, FIT) if job.at is None else (UNIT_STILL, FIT_STILL)
     columns = [_columns(shape) for shape in shapes]
     outlines = [Keys() for _ in shapes]
     shades = Swing(np.arange(len(shapes)), len(shapes), 1.0)
     behind = Behind()
     bounds = {name for shape in shapes for name in shape.clip}
     moments = _moments(job)
-    carried, carrying = carriers(job, shapes, columns, moments, QUANTUM)
-    off = [OFF / QUANTUM / carrier.largest() for carrier in carrying]
+    carried, carrying = carriers(job, shapes, columns, moments, unit / 2)
+    off = [OFF / carrier.largest() for carrier in carrying]
+    some = _telling(job, moments)
+    seen = job.stage.frames(some).points
+    curved = curved or [
+        curves(_inside(carrying[number], some, seen[:, column], unit), _lengths(shape), fit)
+        for shape, column, number in zip(shapes, columns, carried, strict=True)
+    ]
     for first in range(0, len(moments), CHUNK):
         chunk = moments[first : first + CHUNK]
         drawn = job.stage.frames(chunk)
-        shown = drawn.opacity * inside_clips(shapes, columns, drawn.points)
+        sight = Sight(shapes, columns, drawn.points, drawn.opacity)
+        shown = sight.shown()
         for place, (keys, column, number) in enumerate(zip(outlines, columns, carried, strict=True)):
-            rows = carrying[number].undo(chunk, drawn.points[:, column] / QUANTUM).reshape(len(chunk), -1)
             kept = around((shown[:, place] >= SHADE / 2) | (shapes[place].id in bounds))
-            keys.follow(chunk[kept], rows[kept], off[number])
+            points = drawn.points[kept][:, column]
+            mine = _inside(carrying[number], chunk[kept], points, unit)
+            rows = (curved[place].map @ mine / unit).reshape(len(mine), -1)
+            allowed = sight.tolerances(place, curved[place].spots, off[number])[kept]
+            keys.follow(chunk[kept], rows, Edge.of(curved[place], mine, allowed, unit))
         for time, opacity, ground in zip(chunk.tolist(), shown, drawn.grounds, strict=True):
             (shades.push if shades.begun else shades.begin)(time, opacity / SHADE)
             behind.take(time - moments[0], ground)
         job.progress(first + len(chunk), len(moments))
     shades.finish()
     return Animation(
-        tuple(_outline(keys, shape, moments[0]) for keys, shape in zip(outlines, shapes, strict=True)),
+        unit / 2,
+        tuple(curved),
+        tuple(_outline(keys, curve, moments[0]) for keys, curve in zip(outlines, curved, strict=True)),
         tuple(_shade(keys, moments[0]) for keys in shades.keys),
         carried,
         tuple(_carried(carrier, moments[0]) for carrier in carrying),
@@ -94,15 +125,37 @@ def animation(job: Job, shapes: tuple[Shape, ...]) -> Animation:
     )
 
 
+def _inside(carrier: Carrier, times: Floats, points: Floats, unit: float) -> Floats:
+    """Points array[moment, point, 2] as they stand inside their carrier's group, in pixels there."""
+    inside: Floats = carrier.undo(times, points / (unit / 2)) * (unit / 2)
+    return inside
+
+
+def _telling(job: Job, moments: Floats) -> Floats:
+    """Moments by which outlines are fitted: some evenly, and those where a channel is at its highest or lowest."""
+    some = moments[np.unique(np.linspace(0, len(moments) - 1, 1000).astype(np.intp))]
+    values = job.performance.sample(some)
+    evenly = np.linspace(0, len(some) - 1, 40).astype(np.intp)
+    chosen: Floats = some[np.unique(np.concatenate([evenly, values.argmax(axis=0), values.argmin(axis=0)]))]
+    return chosen
+
+
+def _lengths(shape: Shape) -> list[int]:
+    return [contour.count for contour in shape.contours]
+
+
 def _columns(shape: Shape) -> Ints:
     """The rows of the point array that a shape's contours use, in turn."""
     return np.concatenate([np.arange(contour.first, contour.first + contour.count) for contour in shape.contours])
 
 
-def _outline(keys: Keys, shape: Shape, start: float) -> Track:
-    lengths = tuple(contour.count for contour in shape.contours)
-    texts = tuple(path_text(values.reshape(-1, 2), lengths) for values in keys.values)
-    return Track(tuple(time - start for time in keys.times), texts, keys.eases)
+def _outline(keys: Keys, curved: Curves, start: float) -> Track:
+    """An outline in the middle of all, and what is added to it: differences are short."""
+    values = [row.reshape(-1, 2) for row in keys.values]
+    base = values[0] if len(values) < 3 else np.rint(np.median(values, axis=0)).astype(np.int64)
+    added = tuple(path_text(value - base, curved.chains) for value in values)
+    times = tuple(time - start for time in keys.times)
+    return Track(times, added, keys.eases, base=path_text(base, curved.chains))
 
 
 def _carried(carrier: Carrier, start: float) -> tuple[Carried, ...]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from facescript.backends.job import Job
 from facescript.backends.svg.ease import Keys
+from facescript.backends.svg.limit import Apart
 from facescript.performance.channels import INDEX
 from facescript.performance.performance import REST, FaceCurves, Frames, Performance
 from facescript.rig.picture import Shape
@@ -68,9 +69,9 @@ class Carrier:
         height = (a * d - b * c) / width
         skew = (a * c + b * d) / width / height
         angles = np.degrees(np.stack([np.unwrap(np.arctan2(b, a)), np.arctan(skew)], axis=1))
-        self.places.follow(times, places / PLACE, OFF)
-        self.angles.follow(times, angles / ANGLE, OFF)
-        self.sizes.follow(times, np.stack([width, height], axis=1) / SIZE, OFF)
+        _follow(self.places, times, places / PLACE)
+        _follow(self.angles, times, angles / ANGLE)
+        _follow(self.sizes, times, np.stack([width, height], axis=1) / SIZE)
 
     def undo(self, times: Floats, points: Floats) -> Floats:
         """Points in quanta, array[moment, point, xy], as they stand inside the group."""
@@ -87,6 +88,10 @@ class Carrier:
         scales = [float(values.max()) * SIZE for values in self.sizes.values]
         skews = [abs(float(values[1])) * ANGLE for values in self.angles.values]
         return max(1.0, max(scales)) * (1 + float(np.tan(np.radians(max(skews)))))
+
+
+def _follow(keys: Keys, times: Floats, rows: Floats) -> None:
+    keys.follow(times, rows, Apart(rows, OFF))
 
 
 def carriers(

@@ -1,4 +1,4 @@
-"""Outlines over time to few key frames with eased ways between them, none of which leaves a given tolerance."""
+"""Numbers over time to few key frames with eased ways between them, none of which leaves a given limit."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.backends.svg.limit import Limit, apart
 from facescript.backends.svg.track import STRAIGHT
 
 Floats = NDArray[np.float64]
@@ -28,9 +29,6 @@ LOOKS = 12
 TRIES = 5
 """The eases that come nearest by those rows and are tried on all."""
 
-WIDE = 2.0
-"""Tolerances beyond which no choice of the end can make a way straight enough."""
-
 Spline = tuple[float, float, float, float]
 """x1 y1 x2 y2 of a `keySplines` entry, all in 0..1."""
 
@@ -43,18 +41,17 @@ class Keys:
     values: list[Ints] = field(default_factory=list)
     eases: list[Spline] = field(default_factory=list)
 
-    def follow(self, times: Floats, rows: Floats, tolerance: float) -> None:
-        """Go on through more rows, array[moment, coordinate], to the last of them.
+    def follow(self, times: Floats, rows: Floats, limit: Limit) -> None:
+        """Go on through more rows, array[moment, coordinate] with x and y in turn, to the last of them.
 
-        Coordinates are in quanta, x and y in turn; at every row every point drawn is within `tolerance` quanta of it.
-        A way goes as far as one ease can carry all points at once, which is far: what moves a face moves it along
-        straight lines, quicker or slower.
+        What is drawn keeps to `limit` at every row. A way goes as far as one ease can carry all points at once, which
+        is far: what moves a face moves it along straight lines, quicker or slower.
         """
         if not self.times:
             self._set(times[0], np.rint(rows[0]), None)
         at = -1 if self.times[-1] < times[0] else 0
         while at < len(times) - 1:
-            at = self._way(times, rows, at, tolerance)
+            at = self._way(times, rows, at, limit)
 
     def at(self, times: Floats) -> Floats:
         """What is drawn at moments not before the first key frame, array[moment, coordinate]."""
@@ -69,14 +66,14 @@ class Keys:
         drawn = _read(curves, part)[number[way], np.arange(len(times))]
         return np.asarray(values[way] + (values[way + 1] - values[way]) * drawn[:, None])
 
-    def _way(self, times: Floats, rows: Floats, at: int, tolerance: float) -> int:
+    def _way(self, times: Floats, rows: Floats, at: int, limit: Limit) -> int:
         """One way from the last key frame, `at` being its row; gives the row it ends at."""
         start, anchor = self.times[-1], self.values[-1].astype(np.float64)
         good, bad, step = at + 1, len(times), 1
         found = STRAIGHT, np.rint(rows[good] - anchor)
         while good + step < bad:
             way = slice(at + 1, good + step + 1)
-            fit = _fit(times[way] - start, rows[way] - anchor, tolerance)
+            fit = _fit(times[way] - start, rows, way, anchor, limit)
             if fit is None:
                 bad = good + step
                 step = max(1, step // 2)
@@ -98,17 +95,19 @@ class Keys:
         self.values.append(values)
 
 
-def _fit(times: Floats, away: Floats, tolerance: float) -> tuple[Spline, Floats] | None:
-    """The ease, and the end in whole quanta, of one way from 0 that keeps to all rows of `away`; None where none does.
+def _fit(times: Floats, rows: Floats, way: slice, anchor: Floats, limit: Limit) -> tuple[Spline, Floats] | None:
+    """The ease, and the step in whole units, of one way from `anchor` that keeps to the limit; None where none does.
 
-    The end is what fits all rows best and not just the last: that makes ways longer at the same tolerance.
+    The end is what fits all rows best and not just the last: that makes ways longer at the same limit.
     """
+    away = rows[way] - anchor
     goal = away[-1]
     length = goal @ goal
     if length < 1:
-        return (STRAIGHT, np.zeros_like(goal)) if _apart(away) <= tolerance else None
+        still = np.broadcast_to(anchor, away.shape)
+        return (STRAIGHT, np.zeros_like(goal)) if limit.holds(way, still) else None
     shares = away @ goal / length
-    if _apart(away - shares[:, None] * goal) > WIDE * tolerance:
+    if apart(away - shares[:, None] * goal) > limit.rough:
         return None
     eases, curves = _eases()
     along = times / times[-1]
@@ -116,15 +115,10 @@ def _fit(times: Floats, away: Floats, tolerance: float) -> tuple[Spline, Floats]
     misses = np.abs(_read(curves, along[some]) - shares[some]).max(axis=1)
     for number in np.argpartition(misses, TRIES)[:TRIES]:
         course = _read(curves[number : number + 1], along)[0]
-        end = np.rint(course @ away / (course @ course))
-        if _apart(away - course[:, None] * end) <= tolerance:
-            return eases[number], end
+        step = np.rint(course @ away / (course @ course))
+        if limit.holds(way, anchor + course[:, None] * step):
+            return eases[number], step
     return None
-
-
-def _apart(away: Floats) -> float:
-    """The longest of the vectors whose x and y stand in turn."""
-    return float(np.sqrt((away[:, ::2] ** 2 + away[:, 1::2] ** 2).max()))
 
 
 def _read(curves: Floats, along: Floats) -> Floats:

@@ -5,8 +5,8 @@ A ground that is nothing has no element: where it shows, the rectangle lets the 
 
 from __future__ import annotations
 
-import base64
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+from hashlib import sha256
 
 import numpy as np
 from lxml import etree
@@ -69,9 +69,7 @@ class Behind:
         self.rows.append((time, self.colour, _covers(others, self.layers, low)))
         self.solids.append((time, np.array([self.solid / VEIL])))
 
-    def elements(
-        self, size: tuple[int, int], read: Callable[[str], bytes], paints: Paints, clock: Clock
-    ) -> Iterable[etree._Element]:
+    def elements(self, size: tuple[int, int], paints: Paints, clock: Clock) -> Iterable[etree._Element]:
         """The rectangle and the layers above it, animated; times count from the first moment."""
         box = {"width": str(size[0]), "height": str(size[1])}
         solid = _opacity(self.solids)
@@ -82,7 +80,10 @@ class Behind:
                 animate(rectangle, "opacity", solid, clock)
             yield rectangle
         for layer in self.layers:
-            element = _photo(read(layer.path), box) if isinstance(layer, Photo) else _filled(layer, paints, box)
+            if isinstance(layer, Photo):
+                element = svg("use", href=f"#{photo_name(layer)}")
+            else:
+                element = svg("rect", **paints.fill(layer.paint if isinstance(layer, Backdrop) else layer), **box)
             animate(element, "opacity", self._covering(layer), clock)
             yield element
 
@@ -99,18 +100,6 @@ def _opacity(rows: list[tuple[float, Floats]]) -> Track:
     keys = _keys(rows, 1.0)
     texts = [f"{min(max(values[0] * VEIL, 0.0), 1.0):.3f}".rstrip("0").rstrip(".") for _, values in keys]
     return Track([time for time, _ in keys], texts)
-
-
-def _photo(data: bytes, box: dict[str, str]) -> etree._Element:
-    """A picture that fills the film; what is clear in it is white."""
-    group = svg("g")
-    group.append(svg("rect", fill="#ffffff", **box))
-    group.append(svg("image", href=_address(data), preserveAspectRatio="xMidYMid slice", **box))
-    return group
-
-
-def _filled(layer: Linear | Radial | Backdrop, paints: Paints, box: dict[str, str]) -> etree._Element:
-    return svg("rect", fill=paints.fill(layer.paint if isinstance(layer, Backdrop) else layer), **box)
 
 
 def _shares(ground: Ground) -> dict[Layer, float]:
@@ -145,6 +134,21 @@ def _rgb(colour: str) -> Floats:
     return np.array([int(colour[at : at + 2], 16) for at in (1, 3, 5)], dtype=np.float64)
 
 
+def photo_name(photo: Photo) -> str:
+    """The id of a picture, the same whatever else there is."""
+    return f"photo-{sha256(photo.path.encode()).hexdigest()[:8]}"
+
+
 def _address(data: bytes) -> str:
+    """A picture's bytes as an address that holds them."""
     kind = next((kind for first, kind in KINDS.items() if data.startswith(first)), "application/octet-stream")
     return f"data:{kind};base64,{base64.b64encode(data).decode('ascii')}"
+
+
+def photo_element(photo: Photo, data: bytes, size: tuple[int, int]) -> etree._Element:
+    """A picture that fills the film, to be used; what is clear in it is white."""
+    box = {"width": str(size[0]), "height": str(size[1])}
+    group = svg("g", id=photo_name(photo))
+    group.append(svg("rect", fill="#ffffff", **box))
+    group.append(svg("image", href=_address(data), preserveAspectRatio="xMidYMid slice", **box))
+    return group

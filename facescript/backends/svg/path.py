@@ -1,34 +1,46 @@
-"""Points in whole quanta to the text of a path: relative cubics, as short as SVG allows."""
+"""Controls in whole units to the text of a path: relative quadratics, as short as SVG allows."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.backends.svg.curves import Chain
+
 Ints = NDArray[np.int64]
 
 
-def path_text(points: Ints, lengths: tuple[int, ...]) -> str:
-    """Closed contours of cubics. `points` is array[point, 2]; `lengths` are the contours' point counts in turn.
+def path_text(controls: Ints, contours: Sequence[Sequence[Chain]]) -> str:
+    """Closed contours of chains of quadratics, in half units; `controls` is array[control, xy].
 
-    Relative commands, because small numbers are short; the numbers are differences of whole quanta, so nothing adds
-    up. A minus sign is its own separator.
+    Relative commands, because small numbers are short; the numbers are differences of whole half units, so nothing
+    adds up. Only the first handle of a chain is written: `t` gives the others. A minus sign is its own separator.
     """
-    parts, first, at = [], 0, (0, 0)
-    for length in lengths:
-        contour = points[first : first + length]
-        start = contour[0]
-        parts.append(f"m{_numbers(start[0] - at[0], start[1] - at[1])}c{_curves(contour)}")
-        at = (int(contour[-1][0]), int(contour[-1][1]))
-        first += length
+    parts: list[str] = []
+    first, at = 0, np.zeros(2, dtype=np.int64)
+    for contour in contours:
+        for number, chain in enumerate(contour):
+            start, handle, joints = _quadratics(controls[first : first + chain.count], chain.closed)
+            if number == 0:
+                parts += ["m", numbers(start - at)]
+            parts += ["q", numbers(np.array([handle - start, joints[0] - start]))]
+            if len(joints) > 1:
+                parts += ["t", numbers(np.diff(joints, axis=0))]
+            first, at = first + chain.count, joints[-1]
     return "".join(parts)
 
 
-def _curves(contour: Ints) -> str:
-    """All cubics of a contour: handles and anchor, each from the anchor before."""
-    anchors = np.repeat(contour[:-1:3], 3, axis=0)
-    return _numbers(*(contour[1:] - anchors).ravel().tolist())
+def _quadratics(controls: Ints, closed: bool) -> tuple[Ints, Ints, Ints]:
+    """Where a chain begins, its first handle, and the ends of its quadratics, in half units."""
+    if closed:
+        joints = controls + np.roll(controls, -1, axis=0)
+        return joints[-1], 2 * controls[0], joints
+    joints = np.concatenate([controls[1:-2] + controls[2:-1], 2 * controls[-1:]])
+    return 2 * controls[0], 2 * controls[1], joints
 
 
-def _numbers(*values: int) -> str:
-    return " ".join(map(str, values)).replace(" -", "-")
+def numbers(values: Ints) -> str:
+    """Whole numbers as a path has them, no sign more than it takes."""
+    return " ".join(map(str, values.ravel().tolist())).replace(" -", "-")

@@ -1,4 +1,5 @@
-// Keeps the picture to the sound's clock; a click or a key starts it where the browser will not start sound by itself.
+// Keeps the picture to the sound's clock; a click or a key starts it where the browser will not start sound by itself
+// or the viewer wants no motion.
 (function () {
   var svg = document.currentScript ? document.currentScript.closest("svg") : document.documentElement;
   var audio = svg.querySelector("audio");
@@ -21,6 +22,7 @@
     if (promise) promise.catch(offer);
   }
   function toggle() {
+    svg.classList.add("asked");
     if (audio.paused) start();
     else audio.pause();
   }
@@ -35,5 +37,6 @@
   button.addEventListener("keydown", function (event) {
     if (event.key === "Enter" || event.key === " ") { event.preventDefault(); toggle(); }
   });
-  start();
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) offer();
+  else start();
 })();

@@ -19,11 +19,12 @@ STRAIGHT = (0.0, 0.0, 1.0, 1.0)
 @dataclass(frozen=True, slots=True)
 class Track:
     """Key frames of one attribute: times in seconds from the start, the attribute's text at each, and the ease of the
-    way to each from the one before (none: all straight)."""
+    way to each from the one before (none: all straight). Where there is a `base`, values are added to it."""
 
     times: Sequence[float]
     values: Sequence[str]
     eases: Sequence[tuple[float, ...]] = ()
+    base: str | None = None
 
     @property
     def still(self) -> bool:
@@ -51,30 +52,31 @@ def svg(tag: str, **attributes: str) -> etree._Element:
 
 @dataclass(frozen=True, slots=True)
 class Clock:
-    """The animations' common length: a power of ten seconds, so that whole milliseconds are short fractions of it."""
+    """The animations' common length: eight times a power of ten seconds, so that whole multiples of eight milliseconds
+    are short fractions of it."""
 
     seconds: float
-    digits: int
 
     @classmethod
     def around(cls, duration: float) -> Clock:
         """The clock of a film of `duration` seconds."""
-        seconds, digits = 1.0, 3
+        seconds = 8.0
         while seconds < duration:
-            seconds, digits = seconds * 10, digits + 1
-        return cls(seconds, digits)
+            seconds *= 10
+        return cls(seconds)
 
     def fraction(self, time: float) -> str:
-        """A time as a key time, without what need not be written."""
-        text = f"{time / self.seconds:.{self.digits}f}".rstrip("0").rstrip(".")
+        """A time as a key time, to the microsecond, without what need not be written."""
+        text = f"{time / self.seconds:.8f}".rstrip("0").rstrip(".")
         return text.removeprefix("0") or "0"
 
 
 def animate(element: etree._Element, attribute: str, track: Track, clock: Clock) -> None:
     """Give an element its attribute's first value, and the animation of the rest where there is any."""
-    element.set(attribute, track.values[0])
+    element.set(attribute, track.values[0] if track.base is None else track.base)
     if not track.still:
-        element.append(svg("animate", attributeName=attribute, **_course(track, clock)))
+        added = {} if track.base is None else {"additive": "sum"}
+        element.append(svg("animate", attributeName=attribute, **added, **_course(track, clock)))
 
 
 def carry(element: etree._Element, carried: Sequence[Carried], clock: Clock) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from facescript.rig.picture import Tone
+
 Palette = dict[str, str]
 """Colours `#rrggbb` by `family.tone`, e.g. `skin.base`."""
 
@@ -47,13 +49,21 @@ def tinted(palette: Mapping[str, str], looks: Mapping[str, str]) -> Palette:
         for name, tone in palette.items():
             if name.startswith(f"{family}."):
                 out[name] = to_hex(_moved(to_lab(tone), base, to_lab(colour[:7])))
-    return out
+    return named(out)
+
+
+def named(palette: Mapping[str, str]) -> Palette:
+    """The palette with colours that know their names."""
+    return {name: Tone(colour, name) for name, colour in palette.items()}
 
 
 def mix(a: str, b: str, t: float) -> str:
-    """Between two colours, channel by channel."""
+    """Between two colours, channel by channel; a mixture of tones is a tone."""
     pairs = zip(_channels(a), _channels(b), strict=True)
-    return "#" + "".join(f"{round(x + (y - x) * t):02x}" for x, y in pairs)
+    mixed = "#" + "".join(f"{round(x + (y - x) * t):02x}" for x, y in pairs)
+    if isinstance(a, Tone) and isinstance(b, Tone):
+        return Tone(mixed, f"{a.name}-{b.name}-{100 * t:.0f}", (a, b, t))
+    return mixed
 
 
 def _moved(tone: Lab, base: Lab, new: Lab) -> Lab:

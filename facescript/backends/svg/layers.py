@@ -1,0 +1,140 @@
+"""Shapes in motion to the groups of the document: one a face, in it what plays and, where asked for, what stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+
+from lxml import etree
+
+from facescript.backends.svg.animation import Animation
+from facescript.backends.svg.ground import photo_element
+from facescript.backends.svg.paint import Paints
+from facescript.backends.svg.track import Clock, Track, animate, carry, svg
+from facescript.rig.picture import Linear, Radial, Shape
+from facescript.stage.actor import BACKDROP
+from facescript.stage.ground import Backdrop, Photo
+from facescript.stage.stage import Stage
+
+PLAYED, STOOD = "played", "stood"
+"""Classes: the moving picture, and the still one for those who want no motion."""
+
+
+@dataclass(frozen=True, slots=True)
+class Showing:
+    """One way the same shapes are shown: its class, and what is appended to ids, which are there once."""
+
+    name: str
+    moving: Animation
+    mark: str
+
+
+def showings(played: Animation, stood: Animation | None) -> tuple[Showing, ...]:
+    """The moving picture, and the still one where there is one."""
+    return (Showing(PLAYED, played, ""), *([Showing(STOOD, stood, "-stood")] if stood else []))
+
+
+def named_shapes(stage: Stage) -> tuple[Shape, ...]:
+    """The stage's shapes with ids that carry their face's name, also where there is only one face."""
+    if len(set(stage.owners)) > 1:
+        return stage.shapes
+    return tuple(
+        replace(shape, id=f"{owner}-{shape.id}", clip=tuple(f"{owner}-{name}" for name in shape.clip))
+        for shape, owner in zip(stage.shapes, stage.owners, strict=True)
+    )
+
+
+def ground_group(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: list[str]) -> etree._Element:
+    """What lies behind all."""
+    size = stage.width, stage.height
+    layers = [layer for showing in shown for layer in showing.moving.behind.layers]
+    fills = [layer.paint if isinstance(layer, Backdrop) else layer for layer in layers if not isinstance(layer, Photo)]
+    gradients = dict.fromkeys(fill for fill in fills if isinstance(fill, Linear | Radial))
+    paints = Paints("", [Shape(f"ground-{number}", "", (), fill) for number, fill in enumerate(gradients, 1)])
+    group = svg("g", class_="ground")
+    parts = [_part(showing, showing.moving.behind.elements(size, paints, clock)) for showing in shown]
+    photos = dict.fromkeys(layer for layer in layers if isinstance(layer, Photo))
+    kept = [photo_element(photo, stage.pictures(photo.path), size) for photo in photos]
+    _define(group, [*paints.elements(), *kept])
+    group.extend(parts)
+    rules += paints.rules()
+    return group
+
+
+def face_groups(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: list[str]) -> Iterator[etree._Element]:
+    """A group a face's backdrop and one a face; in it a group a showing, in that a group a layer, a path a shape."""
+    shapes = named_shapes(stage)
+    rows = enumerate(zip(stage.owners, shapes, strict=True))
+    for (owner, back), part in groupby(rows, key=lambda row: (row[1][0], row[1][1].group == BACKDROP)):
+        places = [place for place, _ in part]
+        mine = [shapes[place] for place in places]
+        name, kind = (f"{owner}-backdrop", "backdrop") if back else (owner, "figure")
+        group = svg("g", id=name, class_=kind, data_face=owner)
+        paints = Paints(owner, mine)
+        parts = [_part(showing, _layers(showing, shapes, places, paints, clock)) for showing in shown]
+        clips = [_clip(clip, showing.mark) for showing in shown for clip in _clips(mine)]
+        _define(group, [*paints.elements(), *clips])
+        group.extend(parts)
+        rules += paints.rules()
+        yield group
+
+
+def _part(showing: Showing, elements: Iterable[etree._Element]) -> etree._Element:
+    """A showing's share of a group; programs without style sheets see what plays alone."""
+    part = svg("g", class_=showing.name, **({} if showing.name == PLAYED else {"display": "none"}))
+    part.extend(elements)
+    return part
+
+
+def _define(group: etree._Element, elements: Sequence[etree._Element]) -> None:
+    if elements:
+        definitions = svg("defs")
+        definitions.extend(elements)
+        group.append(definitions)
+
+
+def _clips(shapes: Sequence[Shape]) -> list[tuple[str, ...]]:
+    return list(dict.fromkeys(shape.clip for shape in shapes if shape.clip))
+
+
+def _clip(clip: tuple[str, ...], mark: str) -> etree._Element:
+    element = svg("clipPath", id=_clip_name(clip, mark))
+    element.extend(svg("use", href=f"#{name}{mark}") for name in clip)
+    return element
+
+
+def _clip_name(clip: tuple[str, ...], mark: str) -> str:
+    return f"{'-'.join(clip)}-clip{mark}"
+
+
+def _layers(
+    showing: Showing, shapes: Sequence[Shape], places: Sequence[int], paints: Paints, clock: Clock
+) -> Iterator[etree._Element]:
+    """A group a carrier, in it a group a layer."""
+    bounds = {name for shape in shapes for name in shape.clip}
+    moving = showing.moving
+    whole = svg("g", transform=f"scale({moving.quantum:g})")
+    for number, carried in groupby(places, key=lambda place: moving.carried[place]):
+        carrier = svg("g")
+        carry(carrier, moving.carriers[number], clock)
+        for layer, part in groupby(carried, key=lambda place: shapes[place].group):
+            element = svg("g", class_=layer)
+            for place in part:
+                opacity = moving.opacities[place]
+                if shapes[place].id in bounds or not (opacity.still and opacity.values[0] == "0"):
+                    element.append(_path(shapes[place], showing, moving.outlines[place], opacity, paints, clock))
+            carrier.append(element)
+        whole.append(carrier)
+    yield whole
+
+
+def _path(
+    shape: Shape, showing: Showing, outline: Track, opacity: Track, paints: Paints, clock: Clock
+) -> etree._Element:
+    clip = {"clip_path": f"url(#{_clip_name(shape.clip, showing.mark)})"} if shape.clip else {}
+    path = svg("path", id=shape.id + showing.mark, **paints.fill(shape.fill), **clip)
+    animate(path, "d", outline, clock)
+    if not (opacity.still and opacity.values[0] == "1"):
+        animate(path, "opacity", opacity, clock)
+    return path
