@@ -119,7 +119,7 @@ def test_gaze_is_true_in_any_pose(kind: str) -> None:
         yaw, pitch = (np.radians(frames[:, INDEX[f"eye.{side}.{axis}"]]) for axis in ("yaw", "pitch"))
         looks = np.stack([np.sin(yaw) * np.cos(pitch), -np.sin(pitch), np.cos(yaw) * np.cos(pitch)], axis=-1)
         size = frames[:, INDEX[f"eye.{side}.scale"]]
-        moved = looks * np.stack([size, size, np.ones_like(size)], axis=-1) - [0, 0, 1]
+        moved = size[:, None] * (looks - [0, 0, 1])
         expected = np.einsum("fij,fj->fi", turn, moved) * (0.3 * rig.eye_distance)
         expected = expected[:, :2] * frames[:, [INDEX["head.scale"]]]
         assert iris - middle == pytest.approx(expected, abs=0.05)

@@ -37,7 +37,9 @@ def film(what: str) -> tuple[np.ndarray, object]:
     source = Source("script.face", SCRIPT.format(what=what))
     compiled = compile_source(source, World(Path(__file__).parent), EstimatedVoice())
     assert compiled.score is not None, [item.message for item in compiled.diagnostics]
-    return perform(compiled.score).sample(np.array([0.9]))[0], compiled.score
+    performance = perform(compiled.score)
+    (face,) = performance.faces
+    return performance.sample_face(face, np.array([0.9]))[0], compiled.score
 
 
 def cells(units: bool = False) -> dict[str, Cell]:

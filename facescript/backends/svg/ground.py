@@ -5,6 +5,7 @@ A ground that is nothing has no element: where it shows, the rectangle lets the 
 
 from __future__ import annotations
 
+import base64
 from collections.abc import Iterable
 from hashlib import sha256
 
