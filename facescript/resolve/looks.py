@@ -19,6 +19,9 @@ T = TypeVar("T")
 NONE = "none"
 """The choice of nothing."""
 
+COLOURS: Mapping[str, str] = {"eyebrows": "brows"}
+"""Looks whose colours have another name, for `brows` are raised."""
+
 WITHOUT = 0.6
 """How often a stranger has none of what may be none."""
 
@@ -108,6 +111,7 @@ class _Reader:
 
     def _family(self, name: str) -> str | None:
         """The family of colours that a look tints: its own, or an animal's fur."""
+        name = COLOURS.get(name, name)
         if name in self.head.families:
             return name
         return "fur" if name in ("hair", "skin") and "fur" in self.head.families else None

@@ -154,7 +154,10 @@ FACE: dict[str, Modifier] = {
         ),
         *(_valued(look, "look", f"the kind of its {look}, and its colour") for look in ("clothes", "beard")),
         _valued("hair", "look", "the cut of its hair and its colour; `still` where it does not move with the head"),
-        *(_valued(look, "look", f"which {look} it has, and their colour") for look in ("brows", "glasses", "earrings")),
+        *(
+            _valued(look, "look", f"which {look} it has, and their colour")
+            for look in ("eyebrows", "glasses", "earrings")
+        ),
         _valued("age", "percentage", "how old it looks"),
         _valued("width", "percentage", "how wide its face is: 50% is as drawn"),
         _valued("make-up", "percentage", "how much make-up it wears"),

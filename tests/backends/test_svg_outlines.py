@@ -12,10 +12,12 @@ from facescript.backends.svg.curves import Curves, curves
 from facescript.backends.svg.ease import Keys
 from facescript.backends.svg.limit import Edge
 from facescript.backends.svg.path import path_text
+from facescript.ir.acts import Life, Voice
+from facescript.ir.play import Face
 from facescript.performance.channels import INDEX
 from facescript.performance.performance import REST
-from facescript.rig.cartoon.face import CartoonRig
-from facescript.rig.rigs import STYLES
+from facescript.rig.rigs import rig
+from facescript.text import Source, Span
 
 Floats = NDArray[np.float64]
 UNIT, OFF = 0.5, 0.5
@@ -79,12 +81,11 @@ def followed(points: Floats, lengths: list[int]) -> tuple[Curves, Keys]:
 
 @pytest.mark.parametrize("name", ["face-skin", "mouth-lip-lower", "mouth-line", "neck-under-jaw", "eye-lashes-left"])
 def test_half_a_pixel(name: str) -> None:
-    style = STYLES["woman"]
-    rig = CartoonRig(style, style.palette)
-    shape = next(shape for shape in rig.shapes if shape.id == name)
+    woman = rig(Face("ada", "woman", Voice(), Life("still"), Span(Source("here.face", ""), 0, 0)))
+    shape = next(shape for shape in woman.shapes if shape.id == name)
     lengths = [contour.count for contour in shape.contours]
     first = shape.contours[0].first
-    points = rig.draw(spoken()).points[:, first : first + sum(lengths)]
+    points = woman.draw(spoken()).points[:, first : first + sum(lengths)]
     curve, keys = followed(points, lengths)
     assert len(keys.times) < len(TIMES) / 2
     for moment in range(0, len(TIMES), 7):

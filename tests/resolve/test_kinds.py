@@ -124,9 +124,9 @@ def test_a_fault_is_told_at_its_row_and_nothing_else_is(row: str, code: str) -> 
 
 def test_offsets_fit_the_shape_of_every_choice() -> None:
     rows = (
-        "look brows usual, bold",
-        "shape one, in brow, law brow, when brows usual, fill skin.base, outline (0 0) (9 0) (0 9)",
-        "shape one, in brow, law brow, when brows bold, fill skin.base, outline (0 0) (9 0) (9 9) (0 9)",
+        "look eyebrows usual, bold",
+        "shape one, in brow, law brow, when eyebrows usual, fill skin.base, outline (0 0) (9 0) (0 9)",
+        "shape one, in brow, law brow, when eyebrows bold, fill skin.base, outline (0 0) (9 0) (9 9) (0 9)",
         "muscle chin, moves one, by (0 1) (0 2) (0 3)",
     )
     play, diagnostics = resolved(script(*rows))

@@ -143,7 +143,7 @@ def test_a_beard_goes_down_with_the_jaw(choice: str) -> None:
 def test_brows_of_any_breadth_move_alike(kind: str, choice: str) -> None:
     moved = []
     for look in ("usual", choice):
-        rig = drawn(kind, (("brows", look),))
+        rig = drawn(kind, (("eyebrows", look),))
         rest, up = (anchors(rig, rig.draw(each[None]), "brow-body-left")[0] for each in (REST, pose(brow_inner=1.0)))
         moved.append(up - rest)
     assert np.allclose(moved[0], moved[1])

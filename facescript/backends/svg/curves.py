@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -35,6 +36,9 @@ BENT = np.cos(np.radians(6.0))
 
 SHORT = 0.5
 """What is shorter has no direction, in the unit of the points."""
+
+FIRM = 1e-7
+"""How firmly controls are held to be small, beside how they are held to the samples."""
 
 T = (np.arange(FINE) + 0.5) / FINE
 BERNSTEIN = np.stack([(1 - T) ** 3, 3 * T * (1 - T) ** 2, 3 * T**2 * (1 - T), T**3], axis=1)
@@ -202,29 +206,46 @@ def _fitted(mean: Floats, sampled: Floats, ends: Floats, count: int, closed: boo
     steps = np.linalg.norm(np.diff(wanted, axis=0, prepend=(ends @ mean)[:1]), axis=1)
     whole = np.cumsum([*steps, np.linalg.norm((ends @ mean)[1] - wanted[-1])])
     at = whole[:-1] / max(float(whole[-1]), 1e-9) * count
-    fine = np.linspace(0, count, count * NEAR + 1)
+    fine, drawing = _finely(count, closed)
     for _ in range(ROUNDS):
         basis = _basis(at, count, closed)
         inner = slice(None) if closed else slice(1, -1)
         known = np.zeros_like(sampled) if closed else basis[:, [0, -1]] @ ends
-        handles = np.linalg.pinv(basis[:, inner], rcond=1e-3) @ (sampled - known)
+        handles = _nearest(basis[:, inner], sampled - known)
         controls = handles if closed else np.concatenate([ends[:1], handles, ends[1:]])
-        drawn = _basis(fine, count, closed) @ (controls @ mean)
-        at = fine[np.argmin(((wanted[:, None] - drawn) ** 2).sum(axis=2), axis=1)]
+        drawn = drawing @ (controls @ mean)
+        at = fine[np.argmin((drawn**2).sum(axis=1) - 2.0 * (wanted @ drawn.T), axis=1)]
     return controls, basis
+
+
+@lru_cache(maxsize=512)
+def _finely(count: int, closed: bool) -> tuple[Floats, Floats]:
+    """Places close together along a chain, and the weights of its controls there."""
+    fine = np.linspace(0, count, count * NEAR + 1)
+    return fine, _basis(fine, count, closed)
+
+
+def _nearest(basis: Floats, wanted: Floats) -> Floats:
+    """The controls that come nearest to what is wanted; those that no sample tells of stay small."""
+    square = basis.T @ basis
+    square[np.diag_indices(len(square))] += FIRM * np.trace(square) / len(square)
+    return np.asarray(np.linalg.solve(square, basis.T @ wanted))
 
 
 def _basis(at: Floats, count: int, closed: bool) -> Floats:
     """The weights of a chain's controls at places 0..count along it."""
     number = np.minimum(at.astype(np.intp), count - 1)
     t = at - number
+    before, after = (1 - t) ** 2, t**2
+    own = 2 * t * (1 - t) + (before + after) / 2
+    if not closed:
+        first, last = number == 0, number == count - 1
+        own -= (first * before + last * after) / 2
+        before, after = before * (1 + first), after * (1 + last)
     rows = np.arange(len(at))
     weights = np.zeros((len(at), count if closed else count + 2))
-    for handle, weight in ((number, (1 - t) ** 2), (number + 2, t**2)):
-        outer = np.zeros(len(at), dtype=bool) if closed else (handle == 0) | (handle == count + 1)
-        np.add.at(weights, (rows, _place(handle, count, closed)), np.where(outer, weight, weight / 2))
-        np.add.at(weights, (rows, _place(number + 1, count, closed)), np.where(outer, 0.0, weight / 2))
-    np.add.at(weights, (rows, _place(number + 1, count, closed)), 2 * t * (1 - t))
+    for handle, weight in ((number, before / 2), (number + 1, own), (number + 2, after / 2)):
+        weights[rows, _place(handle, count, closed)] += weight
     return weights
 
 

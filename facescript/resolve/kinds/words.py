@@ -25,13 +25,13 @@ ROWS: Mapping[str, str] = {
 }
 """The rows of a kind by their first word, each as it is written."""
 
-LOOKS = ("hair", "clothes", "beard", "brows", "glasses", "earrings")
+LOOKS = ("hair", "clothes", "beard", "eyebrows", "glasses", "earrings")
 """What a kind may have choices of."""
 
 AMOUNTS = ("age", "width", "make-up", "freckles")
 """What a kind may have an amount of."""
 
-TINTED = ("skin", "hair", "eyes", "lips", "clothes", "glasses", "beard", "brows", "scarf")
+TINTED = ("skin", "hair", "eyes", "lips", "clothes", "glasses", "beard", "eyebrows", "scarf")
 """Families of colours that a face may have in another colour."""
 
 LAYERS = (
