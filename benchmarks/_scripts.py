@@ -58,10 +58,10 @@ def lines_of(count: int, size: str = "1280x720", fps: int = 30, life: str = "sti
     return text
 
 
-def talk(seconds: float, size: str = "1920x1080", fps: int = 30, life: str = "announcer") -> str:
-    """A woman who speaks without end and lives, cut after `seconds`."""
+def talk(seconds: float, size: str = "1920x1080", fps: int = 30, life: str = "announcer", face: str = "woman") -> str:
+    """A face, a woman's if no other is wanted, that speaks without end and lives, cut after `seconds`."""
     says = "".join(f'    say "{TALK}" as talk{number}\n    nod 30%\n' for number in range(1, int(seconds / 8) + 3))
     return (
-        f"film {size}, {fps}fps, {seconds:g}s long, seed 7\nface ada = woman, voice en-us female\n"
+        f"film {size}, {fps}fps, {seconds:g}s long, seed 7\nface ada = {face}, voice en-us female\n"
         f"    life {life}\nscene talk:\n    show smile 30%\n{says}"
     )

@@ -9,16 +9,32 @@ from _measure import job_of, row
 from _scripts import talk
 
 from facescript.backends.frames import drawn
+from facescript.backends.job import Job
 from facescript.canvas.painter import Painter
+from facescript.resolve.kinds.library import kind_names
 from facescript.speech.voicebox import open_voice
 from facescript.stage.backcloth import Backcloth
 
 FIRST, COUNT = 300, 300
 BAR = 16.0
+DRESSED = "woman, hair curls, clothes blazer, glasses square, earrings hoops, age 60%, make-up 60%, freckles 60%"
+"""A face with all that it can wear."""
 
 
 def main() -> None:
-    job = job_of(talk(60), open_voice())
+    for face in (*kind_names(), DRESSED):
+        figure = milliseconds(job_of(talk(60, face=face), open_voice()))
+        called = face if face != DRESSED else "woman with all she can wear"
+        row(
+            f"a 1080p frame, sampled and drawn, 300 in a row: {called}",
+            f"{figure:.1f} ms",
+            f"{BAR:g} ms",
+            figure <= BAR,
+        )
+
+
+def milliseconds(job: Job) -> float:
+    """The processor time of a frame, the middle one of three runs."""
     stage, times = job.stage, job.times()[FIRST : FIRST + COUNT]
     painter = Painter(stage.width, stage.height, stage.shapes)
     cloth = Backcloth(stage.width, stage.height, stage.pictures)
@@ -28,8 +44,7 @@ def main() -> None:
         for _ in drawn(stage, painter, cloth, times):
             pass
         figures.append((time.process_time() - start) / COUNT * 1000)
-    mean = statistics.median(figures)
-    row("a 1080p frame, sampled and drawn, 300 in a row", f"{mean:.1f} ms", f"{BAR:g} ms", mean <= BAR)
+    return statistics.median(figures)
 
 
 if __name__ == "__main__":
