@@ -26,7 +26,7 @@ def main() -> None:
         figure = milliseconds(job_of(talk(60, face=face), open_voice()))
         called = face if face != DRESSED else "woman with all she can wear"
         row(
-            f"a 1080p frame, sampled and drawn, 300 in a row: {called}",
+            f"a 1080p frame of a {called}, sampled and drawn",
             f"{figure:.1f} ms",
             f"{BAR:g} ms",
             figure <= BAR,
