@@ -16,7 +16,7 @@ from facescript.compile import compile_source
 from facescript.ir.play import Play
 from facescript.ir.values import Aim, AtCamera
 from facescript.motion.perform import perform
-from facescript.performance.channels import NAMES
+from facescript.performance.channels import INDEX
 from facescript.performance.performance import Performance
 from facescript.schedule.score import Score
 from facescript.space.room import Room, towards
@@ -95,7 +95,7 @@ class Playing:
         times = start + np.arange(round((end - start) * rate)) / rate
         name = face or next(iter(self.performance.faces))
         poses = self.performance.sample_face(name, times)
-        trace = Trace(times, dict(zip(NAMES, poses.T, strict=True)))
+        trace = Trace(times, dict(zip(INDEX, poses.T, strict=True)))
         self.studio.saw(trace)
         return trace
 
