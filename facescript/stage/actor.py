@@ -62,8 +62,11 @@ class Actor:
         return bool((low <= near).all() and (high >= np.array(self._rig.box) - near).all())
 
     def _hung(self, rest: Floats, film: Film) -> Floats:
-        """How much lower each point hangs than drawn: a bust that is cut off goes down to the film's edge."""
+        """How much lower each point hangs than drawn: a bust that is cut off, for it goes beyond the art box,
+        goes down to the film's edge; a head without one ends where it is drawn."""
         lowest = float(rest[:, 1].max())
+        if lowest < self._rig.box[1]:
+            return np.zeros(len(rest))
         bottom = self._standing.top + lowest * self._standing.scale
         return np.where(rest[:, 1] >= lowest - 0.5, max(0.0, film.height - bottom), 0.0)
 

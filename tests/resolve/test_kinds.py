@@ -112,6 +112,10 @@ def test_as_many_anchors_are_counted_as_are_drawn(count: int, form: str, pointed
         ("look trousers short, long", "FS242"),
         ("colours skin.base red", "FS241"),
         ("eye half-width 3", "FS244"),
+        ("look", "FS241"),
+        ("tints", "FS241"),
+        ("jaw from 62, drop 0", "FS241"),
+        ("shell 0 1", "FS241"),
     ],
 )
 def test_a_fault_is_told_at_its_row_and_nothing_else_is(row: str, code: str) -> None:
@@ -132,6 +136,16 @@ def test_offsets_fit_the_shape_of_every_choice() -> None:
     play, diagnostics = resolved(script(*rows))
     assert play is None
     assert [item.code for item in diagnostics] == ["FS247"]
+
+
+def test_feature_points_are_all_there_or_none_is() -> None:
+    play, diagnostics = resolved(script("point hairline (0 -100)"))
+    assert play is None and [item.code for item in diagnostics] == ["FS244"]
+    assert "`point temple`" in diagnostics.items[0].message and "23 points in `locks`" in diagnostics.items[0].message
+
+
+def test_eyes_are_apart() -> None:
+    assert [item.code for item in resolved(script().replace("eyes 100 apart", "eyes 0 apart"))[1]] == ["FS241"]
 
 
 def test_a_faulty_kind_spoils_no_other_face() -> None:

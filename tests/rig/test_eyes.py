@@ -9,12 +9,16 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from facescript.diagnostics.catalogue.kinds import KINDS
+from facescript.ir.play import Film
 from facescript.motion.gaze.eyes import eyes
 from facescript.performance.channels import INDEX
 from facescript.performance.performance import REST
+from facescript.rig.cartoon.backdrop import backdrop
 from facescript.rig.cartoon.depth import BALL
 from facescript.rig.cartoon.face import CartoonRig
 from facescript.rig.rigs import rig
+from facescript.space.layout import Standing
+from facescript.stage.actor import Actor
 from rig.poses import script_face
 
 GOOD = next(entry.good for entry in KINDS if entry.code == "FS240")
@@ -60,6 +64,15 @@ def test_every_eye_looks_at_the_same_point(yaw: float, pitch: float, distance: f
         eye = np.array([at[0], -at[1], 0.0]) * CM / DISTANCE
         wanted = (target - eye) / np.linalg.norm(target - eye)
         assert direction(drawn, name, at, looking(yaw, pitch, distance)) @ wanted == pytest.approx(1.0, abs=2e-4)
+
+
+def test_the_smallest_kind_is_drawn_without_a_ground_of_its_own() -> None:
+    shapes, still = backdrop(rig(script_face(GOOD)).style)
+    assert shapes == () and still.points.shape == (1, 0, 2)
+    actor = Actor(script_face(GOOD), Standing(0.0, 0.0, 1.0), Film())
+    drawn = actor.draw(REST[None])[0]
+    assert np.isfinite(drawn).all() and actor.ground is None
+    assert drawn[..., 1].max() < 500.0
 
 
 def test_one_eye_shuts_by_half_where_one_of_two_would() -> None:

@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from facescript.diagnostics.model import Related
 from facescript.ir.kind import Kind, KindOutline, KindShape, Pull
-from facescript.resolve.kinds.words import ASKING, LIVE, MOST_POINTS, MOST_SHAPES, NEEDED, TOOTHED
+from facescript.resolve.kinds.words import (
+    ASKING,
+    FEATURE_SHAPES,
+    FEATURES,
+    LIVE,
+    LOCKS,
+    MOST_POINTS,
+    MOST_SHAPES,
+    NEEDED,
+    OUTLINE,
+    TOOTHED,
+)
 from facescript.resolve.project import Project, Refused
 from facescript.text import Span
 
@@ -14,6 +25,8 @@ def check(project: Project, kind: Kind) -> None:
     before = len(project.diagnostics.items)
     shapes = _shapes(project, kind)
     _size(project, kind)
+    if kind.points or kind.hair:
+        _features(project, kind, shapes)
     for name in NEEDED:
         if name not in shapes:
             form = f"shape {name}, fill COLOUR"
@@ -59,6 +72,18 @@ def _shapes(project: Project, kind: Kind) -> dict[str, KindShape]:
                 project.report("FS208", shape.span, related=related, name=name)
             found.setdefault(name, shape)
     return found
+
+
+def _features(project: Project, kind: Kind, shapes: dict[str, KindShape]) -> None:
+    """A face with feature points has all of them."""
+    there = dict(kind.points)
+    lacks = [f"`point {name}`" for name in FEATURES if name not in there]
+    lacks += [f"shape `{name}`" for name in FEATURE_SHAPES if name not in shapes]
+    lacks += [f"{LOCKS} points in `locks`"] * (len(kind.hair) != LOCKS)
+    lacks += [f"{OUTLINE} points in `outline`"] * (len(kind.outline) != OUTLINE)
+    if lacks:
+        form = "no `point` and no `locks`, or all that feature points need"
+        project.report("FS244", kind.span, what=", ".join(lacks), name=kind.name, form=form)
 
 
 def _size(project: Project, kind: Kind) -> None:

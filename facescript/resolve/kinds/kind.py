@@ -18,7 +18,7 @@ from facescript.resolve.project import Project, Refused
 from facescript.resolve.scope import GLOBAL
 from facescript.resolve.speech import spoken_with, voice_named
 from facescript.resolve.words import FACE
-from facescript.syntax.tree import Colour, Declaration, Phrase
+from facescript.syntax.tree import Colour, Declaration, Phrase, Word
 
 HEADER = "kind NAME = eyes 116 apart, at 360 318"
 
@@ -48,6 +48,7 @@ class _Reader:
         self.project, self.node = project, node
         header = Row(project, node.phrases, HEADER)
         self.distance = _header(header, node.phrases[0], ("eyes", 1, "apart"))[0]
+        _positive(header, self.distance)
         x, y = _header(header, node.phrases[-1], ("at", 2, ""))
         self.eyes_at = x, y
         self.colours: dict[str, str] = {}
@@ -94,6 +95,7 @@ class _Reader:
     def _pair(self, row: Row) -> None:
         words = row.phrases[0].words
         self.measures[spelled(words[0])] = row.numbers(words[1:], 2, row.span)
+        _positive(row, *self.measures[spelled(words[0])])
 
     def _nose(self, row: Row) -> None:
         base = _header(row, Phrase(row.phrases[0].words[1:], row.phrases[0].span), ("base", 1, ""))
@@ -103,6 +105,7 @@ class _Reader:
     def _jaw(self, row: Row) -> None:
         start = _header(row, Phrase(row.phrases[0].words[1:], row.phrases[0].span), ("from", 1, ""))
         self.jaw = KindJaw(start[0], _header(row, row.phrases[-1], ("drop", 1, ""))[0])
+        _positive(row, self.jaw.drop)
 
     def _voice(self, row: Row) -> None:
         line = Line(self.project, "face", (Phrase((), row.span), *row.phrases), FACE, GLOBAL)
@@ -132,13 +135,13 @@ class _Reader:
             self.points[row.name(words[0], "point")] = row.pair(words[1])
 
     def _look(self, row: Row) -> None:
-        name, *first = row.phrases[0].words[1:]
-        words = [row.one(each, row.span) for each in (tuple(first), *(phrase.words for phrase in row.phrases[1:]))]
+        name, first = _named(row)
+        words = [row.one(each, row.span) for each in (first, *(phrase.words for phrase in row.phrases[1:]))]
         self.looks[row.name(name, "look", LOOKS)] = tuple(row.name(word, "choice") for word in words)
 
     def _tints(self, row: Row) -> None:
-        family, *first = row.phrases[0].words[1:]
-        items = [tuple(first), *(phrase.words for phrase in row.phrases[1:])]
+        family, first = _named(row)
+        items = [first, *(phrase.words for phrase in row.phrases[1:])]
         self.tints[row.name(family, "family of colours", TINTED)] = tuple(_tint(row, item) for item in items)
 
     def _amount(self, row: Row) -> None:
@@ -196,6 +199,12 @@ class _Reader:
         return made
 
 
+def _positive(row: Row, *values: float) -> None:
+    """Refuses a length that is none."""
+    if min(values) <= 0.0:
+        raise row.refuse(row.span)
+
+
 def _header(row: Row, phrase: Phrase, form: tuple[str, int, str]) -> tuple[float, ...]:
     """The numbers of a clause `WORD NUMBERS WORD`."""
     first, count, last = form
@@ -209,6 +218,14 @@ def _header(row: Row, phrase: Phrase, form: tuple[str, int, str]) -> tuple[float
 def _list(row: Row) -> list[Words]:
     """The items of a row that is a list, the first behind its first word."""
     return [row.phrases[0].words[1:], *(phrase.words for phrase in row.phrases[1:])]
+
+
+def _named(row: Row) -> tuple[Word, Words]:
+    """The name behind a row's first word, and the words after it."""
+    words = row.phrases[0].words
+    if len(words) < 2:
+        raise row.refuse(row.span)
+    return words[1], words[2:]
 
 
 def _tint(row: Row, words: Words) -> Tint:
@@ -231,4 +248,5 @@ def _measures(row: Row, known: Mapping[str, tuple[int, bool]]) -> tuple[tuple[st
     if missing:
         what = ", ".join(f"`{name}`" for name in missing)
         raise row.project.refuse("FS244", row.span, what=what, name=spelled(row.phrases[0].words[0]), form=row.form)
+    _positive(row, *(dict(found)[name][0] for name in ("half-width", "iris") if name in known))
     return tuple(found)

@@ -19,8 +19,6 @@ NUMBERS: dict[Form, int] = {"outline": 2, "half": 2, "stroke": 3, "spot": 4, "di
 LEAST: dict[Form, int] = {"outline": 3, "half": 3, "stroke": 2, "spot": 1, "disc": 1}
 """How many points each form has at least."""
 
-CLAUSES = ("in", "law", "fill", "opacity", "clip", "both", "each", "when", *NUMBERS)
-
 
 def shape(row: Row, palette: Collection[str], looks: dict[str, tuple[str, ...]]) -> KindShape:
     """One shape; `looks` are the kind's choices by name. Raises `Refused`."""

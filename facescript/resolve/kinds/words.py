@@ -62,7 +62,7 @@ LIVE: Mapping[str, str] = {
 }
 """Shapes that eye and mouth draw themselves, and the layer of each."""
 
-NEEDED = (*(name for name in EYE_SHAPES if name == "eye-white"), "mouth-cavity", "mouth-lip-lower", "mouth-lip-upper")
+NEEDED = ("eye-white", "mouth-cavity", "mouth-lip-lower", "mouth-lip-upper")
 """Live shapes that every face has."""
 
 POINTS = 0
@@ -138,6 +138,15 @@ TOOTHED: Mapping[str, str] = {
 OTHER_SIGNALS = ("jaw", "mouth.open", "mouth.wide", "mouth.round", "lid", "ear", "muzzle", "near", "far")
 """What moves shapes besides the muscles; an ear up and down apart is `ear up`, `ear down`; `near` and `far` are how far
 a side of the face is turned to the viewer, and away."""
+
+FEATURES = ("hairline", "temple", "ear-top", "ear-low")
+"""The `point` rows of a face with the thesis's feature points."""
+
+FEATURE_SHAPES = ("brow-body", "eye-iris", "face-skin")
+"""Shapes that such a face has besides, for others of its points."""
+
+LOCKS, OUTLINE = 23, 11
+"""How many points its `locks` and its `outline` have."""
 
 FARTHEST = 4000.0
 """Points that anything may lie from the middle between the eyes."""

@@ -12,6 +12,8 @@ from facescript.rig.picture import Picture, Shape
 def backdrop(style: FaceStyle) -> tuple[tuple[Shape, ...], Picture]:
     """Shapes of group "background" with points of their own, and their one frame; the art box is 720 x 720 px."""
     parts = style.backdrop
+    if not parts:
+        return (), Picture(np.empty((1, 0, 2)), np.empty((1, 0)))
     outlines = {part.id: part.loops for part in parts}
     anchors = table.build(parts, outlines, outlines)
     middle = style.eyes_at
