@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
-# Debian's Chromium for the browser tests: installed where it is missing and may be; else those tests say they skip.
+# What the tests take from Debian: Chromium, and the W3C's definition of SVG. Installed where it is missing and may be;
+# else the tests that need it say they are skipped.
 set -u
-for name in chromium chromium-browser google-chrome; do
-    command -v "$name" >/dev/null 2>&1 && exit 0
-done
+wanted=()
+found=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+[ -n "$found" ] || wanted+=(chromium)
+[ -d /usr/share/xml/w3c-sgml-lib ] || wanted+=(w3c-sgml-lib)
+[ ${#wanted[@]} -eq 0 ] && exit 0
 if command -v apt-get >/dev/null 2>&1 && [ "$(id -u)" = 0 ]; then
-    echo "installing Chromium for the browser tests"
-    { apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq chromium; } >/dev/null 2>&1 && exit 0
+    echo "installing for the tests: ${wanted[*]}"
+    { apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq "${wanted[@]}"; } >/dev/null 2>&1 && exit 0
 fi
-echo "no Chromium here and it may not be installed: the browser tests will be skipped" >&2
+echo "not here and may not be installed: ${wanted[*]}; the tests that need it will be skipped" >&2
 exit 0

@@ -6,6 +6,7 @@ import multiprocessing
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import replace
 from functools import partial
 from mmap import mmap
 from multiprocessing.connection import Connection
@@ -19,6 +20,7 @@ from facescript.canvas.box import Box
 from facescript.canvas.painter import Painter
 from facescript.canvas.planes import Planes
 from facescript.canvas.thorvg import CanvasFailure
+from facescript.canvas.video import video_paint, video_pixels
 from facescript.pictures import PictureFailure
 from facescript.stage.backcloth import WHITE, Backcloth
 from facescript.stage.stage import Stage
@@ -74,11 +76,11 @@ def planes(stage: Stage, times: Floats, clear: bool = False) -> Iterator[Bytes]:
     """Each moment as yuv420p of even sides, in one array that the next moment overwrites. Where the ground is
     transparent it is white; with `clear` it is clear, and the moments are yuva420p."""
     width, height = even(stage.width), even(stage.height)
-    painter = Painter(width, height, stage.shapes)
     if clear:
-        yield from _clear_planes(stage, times, painter)
+        yield from _clear_planes(stage, times, width, height)
         return
-    cloth = Backcloth(width, height, stage.pictures, WHITE)
+    painter = Painter(width, height, [replace(shape, fill=video_paint(shape.fill)) for shape in stage.shapes])
+    cloth = Backcloth(width, height, stage.pictures, WHITE, video_pixels)
     yuv = Planes(width, height)
     for boxes in drawn(stage, painter, cloth, times):
         for box in boxes:
@@ -86,8 +88,8 @@ def planes(stage: Stage, times: Floats, clear: bool = False) -> Iterator[Bytes]:
         yield yuv.data
 
 
-def _clear_planes(stage: Stage, times: Floats, painter: Painter) -> Iterator[Bytes]:
-    height, width = painter.pixels.shape
+def _clear_planes(stage: Stage, times: Floats, width: int, height: int) -> Iterator[Bytes]:
+    painter = Painter(width, height, stage.shapes)
     cloth = Backcloth(width, height, stage.pictures)
     yuva = ClearPlanes(width, height)
     for boxes in drawn(stage, painter, cloth, times):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -27,6 +29,10 @@ Sound = tuple[NDArray[np.int16], int]
 """Mono samples and their rate in Hz."""
 
 
+MOST_HANDS = 8
+"""Processes that are started without being asked for, at most."""
+
+
 class JobFailure(Exception):
     """An output that cannot be made; `args[0]` is a clause for the author."""
 
@@ -39,7 +45,8 @@ def quiet(done: int, total: int) -> None:
 class Job:
     """A film to be put out, seconds `start` to `end` of it, or the one moment `at`.
 
-    `pictures` reads a background picture's bytes by its path in the project; `jobs` is how many processes draw.
+    `pictures` reads a background picture's bytes by its path in the project; `jobs` is how many processes draw, 0 for
+    as many as suit the machine.
     """
 
     play: Play
@@ -48,7 +55,7 @@ class Job:
     start: float
     end: float
     at: float | None = None
-    jobs: int = 1
+    jobs: int = 0
     progress: Progress = quiet
 
     @cached_property
@@ -65,6 +72,11 @@ class Job:
     def sound(self) -> Sound:
         """The soundtrack of the whole film."""
         return soundtrack(self.score)
+
+    def hands(self, busy: int = 0) -> int:
+        """How many processes work at once: as asked for, or one a core of the machine that is not `busy` otherwise."""
+        cores = len(os.sched_getaffinity(0)) if sys.platform == "linux" else 1
+        return self.jobs or min(max(1, cores - busy), MOST_HANDS)
 
     @property
     def fps(self) -> float:

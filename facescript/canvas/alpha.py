@@ -11,6 +11,7 @@ from PIL import Image
 
 from facescript.canvas.box import Box
 from facescript.canvas.planes import Planes
+from facescript.canvas.video import video_pixels
 
 Pixels = NDArray[np.uint32]
 
@@ -88,7 +89,7 @@ class ClearPlanes:
 
     def take(self, pixels: Pixels) -> None:
         """Bring the planes up to date with premultiplied pixels."""
-        self._colours.take(bled(pixels), self._whole)
+        self._colours.take(video_pixels(bled(pixels)), self._whole)
         colours = len(self._colours.data)
         self.data[:colours] = self._colours.data
         self.data[colours:] = (pixels >> np.uint32(24)).ravel()

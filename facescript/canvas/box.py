@@ -47,11 +47,12 @@ def bands(low: NDArray[np.float32], high: NDArray[np.float32], whole: Box) -> tu
     these corners, array[outline, 2], can touch."""
     left, top = np.floor(low).astype(np.int64).T - 1
     right, bottom = np.ceil(high).astype(np.int64).T + 1
-    found = []
     first, last = max(whole.top, int(top.min(initial=whole.bottom))), min(whole.bottom, int(bottom.max(initial=0)))
-    for start in range(first, last, BAND):
-        end = min(start + BAND, last)
-        inside = (top < end) & (bottom > start)
-        across = int(left[inside].min(initial=whole.right)), int(right[inside].max(initial=whole.left))
-        found.append(Box(across[0], start, across[1], end) & whole)
+    starts = np.arange(first, last, BAND)
+    ends = np.minimum(starts + BAND, last)
+    inside = (top < ends[:, None]) & (bottom > starts[:, None])
+    lefts = np.where(inside, left, whole.right).min(axis=1, initial=whole.right)
+    rights = np.where(inside, right, whole.left).max(axis=1, initial=whole.left)
+    across = zip(lefts.tolist(), starts.tolist(), rights.tolist(), ends.tolist(), strict=True)
+    found = (Box(*sides) & whole for sides in across)
     return tuple(box for box in found if box)

@@ -68,8 +68,8 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
         play, score = replace(play, film=film), replace(score, film=film)
     start, end = stretch(options, score.duration)
     at = _moment(options, score.duration)
-    jobs = count("--jobs", options.jobs, "2") if options.jobs else 1
-    return Job(play, score, world.read, start, end, at, min(max(1, jobs), MOST_JOBS), progress.step)
+    jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
+    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step)
 
 
 def _moment(options: argparse.Namespace, duration: float) -> float | None:

@@ -27,14 +27,22 @@ KEPT = 4
 class Backcloth:
     """Paints grounds of one size. The same ground gives the same array, which must not be changed.
 
-    `under` is the pixel of a ground that is nothing.
+    `under` is the pixel of a ground that is nothing; each layer is painted in the screen's colours and then `finished`.
     """
 
-    def __init__(self, width: int, height: int, pictures: Callable[[str], bytes], under: int = CLEAR) -> None:
+    def __init__(
+        self,
+        width: int,
+        height: int,
+        pictures: Callable[[str], bytes],
+        under: int = CLEAR,
+        finished: Callable[[Pixels], Pixels] = lambda pixels: pixels,
+    ) -> None:
         self._width, self._height = width, height
         self._under = under
+        self._finished = finished
         self._pictures = pictures
-        self._layer = lru_cache(KEPT)(self._painted)
+        self._layer = lru_cache(KEPT)(lambda layer: self._finished(self._painted(layer)))
         self._last: tuple[Ground, Pixels] | None = None
 
     def paint(self, ground: Ground) -> Pixels:

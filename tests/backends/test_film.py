@@ -21,6 +21,9 @@ from facescript.backends.encoder import Encoder, program
 from facescript.backends.film import write_gif, write_mp4, write_webm
 from facescript.backends.frames import CHUNK, film_planes, pictures, planes
 from facescript.backends.job import Job, JobFailure
+from facescript.canvas.box import Box
+from facescript.canvas.planes import Planes
+from facescript.canvas.video import video_pixels
 from facescript.compile import compile_source
 from facescript.speech.estimate import EstimatedVoice
 from facescript.text import Source
@@ -144,6 +147,28 @@ def test_a_film_is_what_its_frames_are(job: Job, tmp_path: Path) -> None:
     drawn = np.stack([frame.copy() for frame in planes(job.stage, job.times())])
     difference = decoded.reshape(drawn.shape).astype(int) - drawn
     assert np.abs(difference).mean() < 2.0
+
+
+def test_a_film_can_be_sought_every_ten_seconds(tmp_path: Path) -> None:
+    long = job_of(SCRIPT.replace("20fps", "10fps") + "wait 20s\n", tmp_path, 21.0)
+    write_mp4(long, tmp_path / "film.mp4")
+    words = [program(), "-skip_frame", "nokey", "-i", str(tmp_path / "film.mp4"), "-vf", "showinfo", "-f", "null", "-"]
+    told = subprocess.run(words, capture_output=True, text=True, check=True).stderr
+    keys = [float(found) for found in re.findall(r"pts_time:([\d.]+)", told)]
+    assert np.diff([*keys, 21.0]).max() <= 10.0
+
+
+def test_a_films_frame_is_the_picture_of_its_moment(job: Job) -> None:
+    times = np.array([0.0, 0.7, 1.4])
+    whole = Box(0, 0, 98, 54)
+    for frame, picture in zip(planes(job.stage, times), pictures(job.stage, times), strict=True):
+        still = Planes(98, 54)
+        pixels = np.pad(picture.view("<u4")[..., 0], ((0, 0), (0, 1)), mode="edge")
+        still.take(video_pixels(pixels), whole)
+        luma = np.s_[: 98 * 54]
+        difference = np.abs(frame[luma].reshape(54, 98)[:, :97].astype(int) - still.data[luma].reshape(54, 98)[:, :97])
+        assert difference.mean() < 0.4
+        assert difference.max() <= 4
 
 
 def test_png_is_the_moment_asked_for(job: Job, tmp_path: Path) -> None:

@@ -109,3 +109,18 @@ def test_the_still_picture_is_hidden_where_there_are_no_style_sheets(alone: etre
     assert still
     assert all(group.get("display") == "none" for group in still)
     assert not [node for group in still for node in group.iter(f"{SVG}animate", f"{SVG}animateTransform")]
+
+
+def test_neighbours_share_a_clip(alone: etree._Element) -> None:
+    clip = "url(#ada-eye-white-left-clip)"
+    groups = [node for node in alone.iter(f"{SVG}*") if node.get("clip-path") == clip]
+    assert [etree.QName(group).localname for group in groups] == ["g"]
+    names = [path.get("id") for path in groups[0].iter(f"{SVG}path")]
+    assert names[0] == "ada-eye-iris-left" and names[-1] == "ada-eye-light-left"
+
+
+def test_what_stands_behind_is_not_animated_and_is_kept(alone: etree._Element) -> None:
+    behind = alone.find(f"{SVG}g[@class='behind']")
+    assert behind.get("style") == "will-change:opacity"
+    assert [group.get("class") for group in behind] == ["ground", "backdrop"]
+    assert behind.find(f".//{SVG}animate") is None

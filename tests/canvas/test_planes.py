@@ -1,4 +1,4 @@
-"""The planes for encoders: BT.709 by the book, and the same whether converted whole or in parts."""
+"""Video's colours and the planes for encoders: BT.709 by the book, and the same whether taken whole or in parts."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from facescript.canvas.box import Box
 from facescript.canvas.planes import Planes
+from facescript.canvas.video import video_pixels
 
 WIDTH, HEIGHT = 400, 200
 WHOLE = Box(0, 0, WIDTH, HEIGHT)
@@ -35,7 +36,7 @@ def split(data: np.ndarray) -> list[np.ndarray]:
 
 def test_colours_are_bt709() -> None:
     planes = Planes(WIDTH, HEIGHT)
-    planes.take(noise(1), WHOLE)
+    planes.take(video_pixels(noise(1)), WHOLE)
     for ours, book in zip(split(planes.data), by_the_book(noise(1)), strict=True):
         assert np.abs(ours - book.ravel()).max() < 1.5
         assert abs((ours - book.ravel()).mean()) < 0.3
@@ -43,15 +44,15 @@ def test_colours_are_bt709() -> None:
 
 def test_greys_have_no_colour() -> None:
     planes = Planes(WIDTH, HEIGHT)
-    grey = np.arange(WIDTH * HEIGHT, dtype=np.uint32).reshape(HEIGHT, WIDTH) % 256 * 0x010101
-    planes.take(grey, WHOLE)
+    grey = np.arange(WIDTH * HEIGHT, dtype=np.uint32).reshape(HEIGHT, WIDTH) % 256 * 0x010101 | np.uint32(0xFF000000)
+    planes.take(video_pixels(grey), WHOLE)
     assert (split(planes.data)[1] == 128).all()
     assert (split(planes.data)[2] == 128).all()
 
 
 @settings(max_examples=30, deadline=None)
 @given(st.integers(0, WIDTH), st.integers(0, WIDTH), st.integers(0, HEIGHT), st.integers(0, HEIGHT))
-def test_a_part_is_converted_as_in_the_whole(x: int, across: int, y: int, down: int) -> None:
+def test_a_part_is_taken_as_in_the_whole(x: int, across: int, y: int, down: int) -> None:
     box = Box(x, y, min(x + across, WIDTH), min(y + down, HEIGHT))
     mixed = noise(2)
     box.of(mixed)[...] = box.of(noise(3))

@@ -83,6 +83,11 @@ class Carrier:
         x = x - y * np.tan(skew)[:, None]
         return np.stack([x / width[:, None], y / height[:, None]], axis=2)
 
+    def inside(self, times: Floats, points: Floats, quantum: float) -> Floats:
+        """The same in pixels."""
+        within: Floats = self.undo(times, points / quantum) * quantum
+        return within
+
     def largest(self) -> float:
         """By how much at most it makes what is off larger."""
         scales = [float(values.max()) * SIZE for values in self.sizes.values]
@@ -102,7 +107,7 @@ def carriers(
     Shapes of a group, and those that clip each other, share a carrier.
     """
     of = shared(shapes, job.stage.owners)
-    parts = [np.concatenate([columns[place] for place, own in enumerate(of) if own == number]) for number in set(of)]
+    parts = [_telling(shapes, columns, [place for place, own in enumerate(of) if own == number]) for number in set(of)]
     heads = Performance({name: HeadOnly(curves) for name, curves in job.performance.faces.items()}, job.end)
     stage = Stage(job.score, heads, job.pictures)
     found = tuple(Carrier() for _ in parts)
@@ -114,6 +119,13 @@ def carriers(
         for part, carrier in zip(parts, found, strict=True):
             carrier.follow(chunk, *_affine(first[part], points[:, part]))
     return of, found
+
+
+def _telling(shapes: Sequence[Shape], columns: Sequence[Ints], places: Sequence[int]) -> Ints:
+    """The points of some shapes by which they are carried: not those of what is hidden for the most part by a clip,
+    where there are others."""
+    free = [place for place in places if not shapes[place].clip]
+    return np.concatenate([columns[place] for place in free or places])
 
 
 def _affine(rest: Floats, points: Floats) -> tuple[Floats, Floats]:

@@ -12,7 +12,7 @@ from lxml import etree
 
 from facescript.backends.job import Job, quiet
 from facescript.backends.svg.animation import Animation, animation
-from facescript.backends.svg.layers import PLAYED, STOOD, face_groups, ground_group, showings
+from facescript.backends.svg.layers import PLAYED, STOOD, picture_groups, showings
 from facescript.backends.svg.paint import RULES
 from facescript.backends.svg.sound import sound_address
 from facescript.backends.svg.telling import telling_moment
@@ -25,7 +25,7 @@ UNFIT = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 CALM = (
     "@media (prefers-reduced-motion:reduce){"
-    f"svg:not(.asked)>g>.{PLAYED}{{display:none}}svg:not(.asked)>g>.{STOOD}{{display:inline}}}}"
+    f"svg:not(.asked) .{PLAYED}{{display:none}}svg:not(.asked) .{STOOD}{{display:inline}}}}"
 )
 """Where motion is not wanted the still picture shows, until play is asked for (`player.js`)."""
 
@@ -68,10 +68,10 @@ def _body(
     job: Job, played: Animation, stood: Animation | None, clock: Clock, address: str | None
 ) -> Iterator[etree._Element]:
     shown, rules = showings(played, stood), list[str]()
-    picture = [ground_group(job.stage, shown, clock, rules), *face_groups(job.stage, shown, clock, rules)]
+    picture = [*picture_groups(job.stage, shown, clock, rules)]
     yield _text("title", " and ".join(face.name for face in job.score.faces if face.seen) or "FaceScript")
     yield _text("desc", _description(job))
-    yield _text("style", RULES % "".join(rules) + (CALM if stood else ""))
+    yield _text("style", RULES % "".join(rules) + (CALM if stood else ""), type="text/css")
     yield from picture
     if address:
         yield from _player((job.stage.width, job.stage.height), address)
@@ -94,12 +94,12 @@ def _player(size: tuple[int, int], address: str) -> Iterator[etree._Element]:
     button.append(svg("circle", r="1", fill="#1d1d1d", fill_opacity="0.6"))
     button.append(svg("path", d="M-.35-.5 .6 0-.35 .5z", fill="#ffffff"))
     yield button
-    script = svg("script")
+    script = svg("script", type="text/javascript")
     script.text = PLAYER.read_text("utf-8")
     yield script
 
 
-def _text(tag: str, text: str) -> etree._Element:
-    element = svg(tag)
+def _text(tag: str, text: str, **attributes: str) -> etree._Element:
+    element = svg(tag, **attributes)
     element.text = UNFIT.sub("\ufffd", text)
     return element

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,11 +14,12 @@ from facescript.backends.svg.track import STRAIGHT
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+Singles = NDArray[np.float32]
 
 GRID = 128
 """Steps at which the eases are known; between them they are read off straight."""
 
-SLOPES = (0.0, 0.3, 0.6, 1.0, 1.5, 2.2, 3.2)
+SLOPES = (0.0, 0.15, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.5, 1.8, 2.2, 2.7, 3.2, 4.5)
 """How steep an ease may begin and end; 1 is straight."""
 
 PULLS = (0.1, 0.22, 0.35, 0.5, 0.65, 0.8, 1.0)
@@ -26,8 +28,14 @@ PULLS = (0.1, 0.22, 0.35, 0.5, 0.65, 0.8, 1.0)
 LOOKS = 12
 """Rows by which an ease is chosen; all rows are held to the tolerance afterwards."""
 
-TRIES = 5
+TRIES = 8
 """The eases that come nearest by those rows and are tried on all."""
+
+LITTLE = 2.0
+"""Whole units: where no number has changed by more it is tried first whether all can stand still."""
+
+BACK = (1, 2, 4, 6)
+"""By how many moments a way may end sooner for the sake of the next."""
 
 Spline = tuple[float, float, float, float]
 """x1 y1 x2 y2 of a `keySplines` entry, all in 0..1."""
@@ -45,13 +53,19 @@ class Keys:
         """Go on through more rows, array[moment, coordinate] with x and y in turn, to the last of them.
 
         What is drawn keeps to `limit` at every row. A way goes as far as one ease can carry all points at once, which
-        is far: what moves a face moves it along straight lines, quicker or slower.
+        is far: what moves a face moves it along straight lines, quicker or slower. It ends a little sooner where the
+        next way goes farther from there.
         """
         if not self.times:
             self._set(times[0], np.rint(rows[0]), None)
-        at = -1 if self.times[-1] < times[0] else 0
-        while at < len(times) - 1:
-            at = self._way(times, rows, at, limit)
+        road = _Road(times, rows, limit)
+        place = _Place(-1 if self.times[-1] < times[0] else 0, self.times[-1], self.values[-1].astype(np.float64))
+        way = road.farthest(place)
+        while way is not None:
+            way, then = road.better(place, way)
+            place = road.end(place, way)
+            self._set(place.time, place.row, way.ease)
+            way = then
 
     def at(self, times: Floats) -> Floats:
         """What is drawn at moments not before the first key frame, array[moment, coordinate]."""
@@ -61,27 +75,8 @@ class Keys:
         way = np.clip(np.searchsorted(keys, times, side="right") - 1, 0, len(keys) - 2)
         span = np.maximum(keys[way + 1] - keys[way], 1e-12)
         part = np.clip((times - keys[way]) / span, 0, 1)
-        eases, curves = _eases()
-        number = np.array([eases.index(ease) for ease in self.eases])
-        drawn = _read(curves, part)[number[way], np.arange(len(times))]
+        drawn = _read(np.array([_numbers()[ease] for ease in self.eases])[way], part)
         return np.asarray(values[way] + (values[way + 1] - values[way]) * drawn[:, None])
-
-    def _way(self, times: Floats, rows: Floats, at: int, limit: Limit) -> int:
-        """One way from the last key frame, `at` being its row; gives the row it ends at."""
-        start, anchor = self.times[-1], self.values[-1].astype(np.float64)
-        good, bad, step = at + 1, len(times), 1
-        found = STRAIGHT, np.rint(rows[good] - anchor)
-        while good + step < bad:
-            way = slice(at + 1, good + step + 1)
-            fit = _fit(times[way] - start, rows, way, anchor, limit)
-            if fit is None:
-                bad = good + step
-                step = max(1, step // 2)
-            else:
-                good, found = good + step, fit
-                step = step * 2 if bad == len(times) else max(1, (bad - good) // 2)
-        self._set(times[good], anchor + found[1], found[0])
-        return good
 
     def _set(self, time: float, row: Floats, ease: Spline | None) -> None:
         values = row.astype(np.int64)
@@ -95,43 +90,121 @@ class Keys:
         self.values.append(values)
 
 
-def _fit(times: Floats, rows: Floats, way: slice, anchor: Floats, limit: Limit) -> tuple[Spline, Floats] | None:
-    """The ease, and the step in whole units, of one way from `anchor` that keeps to the limit; None where none does.
+class _Place(NamedTuple):
+    """A key frame: the number of its moment (-1: before the first), its time and its row."""
 
-    The end is what fits all rows best and not just the last: that makes ways longer at the same limit.
-    """
-    away = rows[way] - anchor
-    goal = away[-1]
-    length = goal @ goal
-    if length < 1:
-        still = np.broadcast_to(anchor, away.shape)
-        return (STRAIGHT, np.zeros_like(goal)) if limit.holds(way, still) else None
-    shares = away @ goal / length
-    if apart(away - shares[:, None] * goal) > limit.rough:
+    at: int
+    time: float
+    row: Floats
+
+
+class _Way(NamedTuple):
+    """A way from a key frame: the number of the moment it ends at, its ease, and its step in whole units."""
+
+    last: int
+    ease: Spline
+    step: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class _Road:
+    """Rows over time, and the ways through them that keep to a limit."""
+
+    times: Floats
+    rows: Floats
+    limit: Limit
+
+    def end(self, place: _Place, way: _Way) -> _Place:
+        return _Place(way.last, float(self.times[way.last]), place.row + way.step)
+
+    def farthest(self, place: _Place, least: int = 0) -> _Way | None:
+        """The longest way from a place; None where there are no more moments, or it does not reach `least`."""
+        count = len(self.times)
+        good, bad, step = max(place.at + 1, least), count, 1
+        if good >= count:
+            return None
+        found = self._way(place, good)
+        if found is None:
+            if least:
+                return None
+            found = _Way(good, STRAIGHT, np.rint(self.rows[good] - place.row))
+        while good + 1 < bad:
+            step = min(step, bad - good - 1)
+            longer = self._way(place, good + step)
+            if longer is None:
+                bad = good + step
+                step = max(1, step // 2)
+            else:
+                good, found = good + step, longer
+                step = step * 2 if bad == count else max(1, (bad - good) // 2)
+        return found
+
+    def better(self, place: _Place, way: _Way) -> tuple[_Way, _Way | None]:
+        """Of a longest way and somewhat shorter ones the one after which the next goes farthest; and that next one."""
+        best, then = way, self.farthest(self.end(place, way))
+        for back in BACK:
+            if then is None or way.last - back <= place.at:
+                break
+            shorter = self._way(place, way.last - back)
+            farther = shorter and self.farthest(self.end(place, shorter), then.last + 1)
+            if shorter and farther:
+                best, then = shorter, farther
+        return best, then
+
+    def _way(self, place: _Place, last: int) -> _Way | None:
+        """The way from a place to a moment that keeps to the limit; None where none does.
+
+        Its end is what fits all rows best and not just the last: that makes ways longer at the same limit.
+        """
+        moments = slice(place.at + 1, last + 1)
+        away = self.rows[moments] - place.row
+        goal = away[-1]
+        reach = self.limit.way(moments, place.row)
+        if np.abs(goal).max() <= LITTLE:
+            none = np.zeros_like(goal)
+            if reach.holds(np.zeros(len(away)), none):
+                return _Way(last, STRAIGHT, none)
+        length = goal @ goal
+        if length < 1:
+            return None
+        shares = away @ goal / length
+        if apart(away - shares[:, None] * goal) > self.limit.rough:
+            return None
+        along = (self.times[moments] - place.time) / (self.times[last] - place.time)
+        for number in _likely(along, shares):
+            course = _read(number, along)
+            step = np.rint(course @ away / (course @ course))
+            if reach.holds(course, step):
+                return _Way(last, _eases()[0][number], step)
         return None
-    eases, curves = _eases()
-    along = times / times[-1]
-    some = np.unique(np.linspace(0, len(times) - 1, LOOKS).astype(np.intp))
-    misses = np.abs(_read(curves, along[some]) - shares[some]).max(axis=1)
-    for number in np.argpartition(misses, TRIES)[:TRIES]:
-        course = _read(curves[number : number + 1], along)[0]
-        step = np.rint(course @ away / (course @ course))
-        if limit.holds(way, anchor + course[:, None] * step):
-            return eases[number], step
-    return None
 
 
-def _read(curves: Floats, along: Floats) -> Floats:
-    """All eases at parts of the way, array[ease, moment]."""
+def _likely(along: Floats, shares: Floats) -> Ints:
+    """The TRIES eases that come nearest to the shares of the way at some of the moments."""
+    some = np.arange(LOOKS) * (len(along) - 1) // (LOOKS - 1)
+    misses = _eases()[1][np.rint(along[some] * GRID).astype(np.intp)]
+    misses -= shares[some, None].astype(np.float32)
+    worst = np.maximum(misses.max(axis=0), -misses.min(axis=0))
+    return np.argpartition(worst, TRIES)[:TRIES]
+
+
+def _read(ease: int | Ints, along: Floats) -> Floats:
+    """An ease, by its number, or each moment's own, at parts of the way."""
     place = along * GRID
     below = np.minimum(place.astype(np.intp), GRID - 1)
-    part = place - below
-    return np.asarray(curves[:, below] * (1 - part) + curves[:, below + 1] * part)
+    courses = _eases()[1]
+    first = courses[below, ease]
+    return np.asarray(first + (courses[below + 1, ease] - first) * (place - below))
 
 
 @cache
-def _eases() -> tuple[tuple[Spline, ...], Floats]:
-    """The eases tried, straight first, and their courses, array[ease, GRID + 1]."""
+def _numbers() -> dict[Spline, int]:
+    return {ease: number for number, ease in enumerate(_eases()[0])}
+
+
+@cache
+def _eases() -> tuple[tuple[Spline, ...], Singles]:
+    """The eases tried, straight first, and their courses, array[GRID + 1, ease]."""
     tried: dict[Spline, None] = {STRAIGHT: None}
     for first in SLOPES:
         for last in SLOPES:
@@ -141,7 +214,7 @@ def _eases() -> tuple[tuple[Spline, ...], Floats]:
                     if all(0 <= value <= 1 for value in handles):
                         x1, y1, x2, y2 = (round(value, 1) for value in handles)
                         tried[x1, y1, x2, y2] = None
-    return tuple(tried), np.array([_course(ease) for ease in tried])
+    return tuple(tried), np.array([_course(ease) for ease in tried], dtype=np.float32).T.copy()
 
 
 def _course(ease: Spline) -> Floats:

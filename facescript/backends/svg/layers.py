@@ -11,7 +11,8 @@ from lxml import etree
 from facescript.backends.svg.animation import Animation
 from facescript.backends.svg.ground import photo_element
 from facescript.backends.svg.paint import Paints
-from facescript.backends.svg.track import Clock, Track, animate, carry, svg
+from facescript.backends.svg.shade import shade
+from facescript.backends.svg.track import Carried, Clock, Track, animate, carry, svg
 from facescript.rig.picture import Linear, Radial, Shape
 from facescript.stage.actor import BACKDROP
 from facescript.stage.ground import Backdrop, Photo
@@ -45,7 +46,21 @@ def named_shapes(stage: Stage) -> tuple[Shape, ...]:
     )
 
 
-def ground_group(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: list[str]) -> etree._Element:
+def picture_groups(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: list[str]) -> Iterator[etree._Element]:
+    """What lies behind all faces in one group, then a group a face.
+
+    Browsers keep what is behind as a picture of its own, if it stands still, and paint the faces alone in each frame.
+    """
+    ground = _ground_group(stage, shown, clock, rules)
+    groups = [*_face_groups(stage, shown, clock, rules)]
+    stands = len(shown) > 1 and not any(shape.moving for shape in stage.shapes if shape.group == BACKDROP)
+    behind = svg("g", class_="behind", **({"style": "will-change:opacity"} if stands else {}))
+    behind.extend([ground, *(group for group in groups if group.get("class") == "backdrop")])
+    yield behind
+    yield from (group for group in groups if group.get("class") != "backdrop")
+
+
+def _ground_group(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: list[str]) -> etree._Element:
     """What lies behind all."""
     size = stage.width, stage.height
     layers = [layer for showing in shown for layer in showing.moving.behind.layers]
@@ -62,7 +77,7 @@ def ground_group(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: li
     return group
 
 
-def face_groups(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: list[str]) -> Iterator[etree._Element]:
+def _face_groups(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: list[str]) -> Iterator[etree._Element]:
     """A group a face's backdrop and one a face; in it a group a showing, in that a group a layer, a path a shape."""
     shapes = named_shapes(stage)
     rows = enumerate(zip(stage.owners, shapes, strict=True))
@@ -120,21 +135,33 @@ def _layers(
         carry(carrier, moving.carriers[number], clock)
         for layer, part in groupby(carried, key=lambda place: shapes[place].group):
             element = svg("g", class_=layer)
-            for place in part:
-                opacity = moving.opacities[place]
-                if shapes[place].id in bounds or not (opacity.still and opacity.values[0] == "0"):
-                    element.append(_path(shapes[place], showing, moving.outlines[place], opacity, paints, clock))
+            drawn = [place for place in part if shapes[place].id in bounds or not _never(moving.opacities[place])]
+            for clip, together in groupby(drawn, key=lambda place: shapes[place].clip):
+                paths = [_path(shapes[place], place, showing, paints, clock) for place in together]
+                element.extend([_clipped(paths, clip, showing.mark)] if clip else paths)
             carrier.append(element)
         whole.append(carrier)
     yield whole
 
 
-def _path(
-    shape: Shape, showing: Showing, outline: Track, opacity: Track, paints: Paints, clock: Clock
-) -> etree._Element:
-    clip = {"clip_path": f"url(#{_clip_name(shape.clip, showing.mark)})"} if shape.clip else {}
-    path = svg("path", id=shape.id + showing.mark, **paints.fill(shape.fill), **clip)
-    animate(path, "d", outline, clock)
-    if not (opacity.still and opacity.values[0] == "1"):
-        animate(path, "opacity", opacity, clock)
+def _clipped(paths: Sequence[etree._Element], clip: tuple[str, ...], mark: str) -> etree._Element:
+    """Paths in a row that share a clip, in a group that is clipped: a browser need cut it out once."""
+    group = svg("g", clip_path=f"url(#{_clip_name(clip, mark)})")
+    group.extend(paths)
+    return group
+
+
+def _never(opacity: Track) -> bool:
+    """Whether nothing of a shape is ever seen."""
+    return opacity.still and opacity.values[0] == "0"
+
+
+def _path(shape: Shape, place: int, showing: Showing, paints: Paints, clock: Clock) -> etree._Element:
+    moving = showing.moving
+    path = svg("path", id=shape.id + showing.mark, **paints.fill(shape.fill))
+    animate(path, "d", moving.outlines[place], clock)
+    slide = moving.slides[place]
+    if slide is not None:
+        carry(path, [Carried("translate", slide)], clock)
+    shade(path, moving.opacities[place])
     return path

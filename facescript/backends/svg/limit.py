@@ -16,6 +16,14 @@ WIDE = 2.0
 """Tolerances beyond which no choice of the end can make a way straight enough."""
 
 
+class Way(Protocol):
+    """The rows of some moments beside an anchor that a straight way starts from."""
+
+    def holds(self, course: Floats, step: Floats) -> bool:
+        """Whether the anchor and `course`, array[moment], times `step` may stand for these rows."""
+        ...
+
+
 class Limit(Protocol):
     """A limit for rows array[moment, coordinate], x and y in turn."""
 
@@ -24,8 +32,8 @@ class Limit(Protocol):
         """How far from a straight line the points of a way may be for a closer look to be worth it."""
         ...
 
-    def holds(self, moments: slice, drawn: Floats) -> bool:
-        """Whether `drawn` may stand for the rows of these moments."""
+    def way(self, moments: slice, anchor: Floats) -> Way:
+        """What holds for a way from `anchor` through these moments."""
         ...
 
 
@@ -40,8 +48,17 @@ class Apart:
     def rough(self) -> float:
         return WIDE * self.tolerance
 
-    def holds(self, moments: slice, drawn: Floats) -> bool:
-        return apart(drawn - self.rows[moments]) <= self.tolerance
+    def way(self, moments: slice, anchor: Floats) -> Way:
+        return _Points(anchor - self.rows[moments], self.tolerance)
+
+
+@dataclass(frozen=True, slots=True)
+class _Points:
+    away: Floats
+    tolerance: float
+
+    def holds(self, course: Floats, step: Floats) -> bool:
+        return apart(self.away + course[:, None] * step) <= self.tolerance
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,9 +90,30 @@ class Edge:
         basis = np.concatenate([curves.basis, curves.basis[smooth:]]) * unit
         return cls(basis, x, y, spots[..., 0] * x + spots[..., 1] * y, WIDE * float(tolerances.min()) / unit)
 
-    def holds(self, moments: slice, drawn: Floats) -> bool:
-        x, y = drawn[:, ::2] @ self.basis.T, drawn[:, 1::2] @ self.basis.T
-        return bool((np.abs(x * self.x[moments] + y * self.y[moments] - self.true[moments]) <= 1).all())
+    def way(self, moments: slice, anchor: Floats) -> Way:
+        x, y = self.x[moments], self.y[moments]
+        return _Samples(self.basis, x, y, _across(self.basis, x, y, anchor) - self.true[moments])
+
+
+@dataclass(frozen=True, slots=True)
+class _Samples:
+    basis: Floats
+    x: Floats
+    y: Floats
+    away: Floats
+
+    def holds(self, course: Floats, step: Floats) -> bool:
+        lean = _across(self.basis, self.x, self.y, step)
+        lean *= course[:, None]
+        lean += self.away
+        return bool(max(lean.max(), -lean.min()) <= 1)
+
+
+def _across(basis: Floats, x: Floats, y: Floats, controls: Floats) -> Floats:
+    """How far across the outline, array[moment, sample], the samples of some controls lie."""
+    across: Floats = x * (basis @ controls[::2])
+    across += y * (basis @ controls[1::2])
+    return across
 
 
 def apart(away: Floats) -> float:

@@ -44,3 +44,9 @@ def _quadratics(controls: Ints, closed: bool) -> tuple[Ints, Ints, Ints]:
 def numbers(values: Ints) -> str:
     """Whole numbers as a path has them, no sign more than it takes."""
     return " ".join(map(str, values.ravel().tolist())).replace(" -", "-")
+
+
+def decimal(value: float) -> str:
+    """A number to four decimals, without what need not be written."""
+    text = f"{value:.4f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text.replace("0.", ".", 1) if text.lstrip("-").startswith("0.") else text

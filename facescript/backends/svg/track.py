@@ -9,7 +9,7 @@ from lxml import etree
 
 SVG = "http://www.w3.org/2000/svg"
 
-UNCHANGED = ("0.0 0.0", "0.000", "1.0000 1.0000")
+UNCHANGED = ("0 0", "0", "1 1")
 """Values of transforms that do nothing."""
 
 STRAIGHT = (0.0, 0.0, 1.0, 1.0)

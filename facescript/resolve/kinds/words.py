@@ -42,7 +42,7 @@ LAYERS = (
 
 LAWS = (
     "plain", "shell", "body", "neck", "neck_shadow", "contour", "skin", "under_jaw", "nose", "eye", "ball", "brow",
-    "mouth", "ear", "hair", "hair_side", "hair_back",
+    "mouth", "rigid", "ear", "hair", "hair_side", "hair_back",
 )  # fmt: skip
 """How an anchor lies in the head: the laws of `rig/cartoon/depth.py`."""
 

@@ -166,6 +166,11 @@ def mouth(x: float, y: float, head: Head) -> Depth:
     return Depth(relief(1.40 + 0.19 * max(0.0, 1 - (x / 0.42) ** 2)), flatten=0.16)
 
 
+def rigid(x: float, y: float, head: Head) -> Depth:
+    """What lies in the mouth or on the lips and keeps its form: a card at the mouth's depth."""
+    return Depth(relief(1.55), flatten=0.16)
+
+
 def under_jaw(x: float, y: float, head: Head) -> Depth:
     """Behind the jaw's edge: what shows below it when the head tips back."""
     edge = contour(x, y, head)
@@ -233,6 +238,7 @@ LAWS: dict[str, Callable[[float, float, Head], Depth]] = {
         ball,
         brow,
         mouth,
+        rigid,
         under_jaw,
         ear,
         hair,

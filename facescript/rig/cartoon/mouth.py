@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from facescript.rig.cartoon.lips import SIDES, Lips, MouthState, MouthStyle, lips
 from facescript.rig.cartoon.muzzle import draw_inside, draw_line, draw_muzzle, muzzle_lips, set_depths
-from facescript.rig.cartoon.pen import Number, Pen, Spot, lerp, step
+from facescript.rig.cartoon.pen import Number, Pen, lerp, step
 
 
 def draw_mouth(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
@@ -25,7 +27,7 @@ def _draw_animal(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
     """The same parts and the muzzle, round an animal's lips."""
     shape = muzzle_lips(style, state)
     draw_inside(pen, style, state, shape)
-    _lips(pen, style, shape, past=0.8 * style.upper * shape.round)
+    _lips(pen, style, shape, past=0.8 * style.upper * shape.round, over=0.5)
     draw_line(pen, style, shape)
     draw_muzzle(pen, style, state, shape)
     set_depths(pen, style, tuple(pen.loops))
@@ -36,80 +38,64 @@ def _draw_animal(pen: Pen, style: MouthStyle, state: MouthState) -> Lips:
 def _inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> None:
     """Cavity, tongue and both rows of teeth; the cavity bounds them all."""
     top, bottom = shape.inner_upper, shape.inner_lower
-    pen.loop("mouth-cavity", [*top, *bottom[3:0:-1]])
-    (left, _), (right, _) = shape.corner
+    _cavity(pen, shape)
     high, low = top[2][1], bottom[2][1]
     teeth = 10.0 * np.clip(state.teeth, 0.0, 1.0) + 2.0 * shape.apart * state.mean("raise_")
     tip_up = np.clip(state.tongue, 0.0, 1.0)
     resting = low - 10.0 * step(8.0, 30.0, shape.gap) * (1 - 0.7 * shape.round)
     tongue = lerp(resting, high + np.minimum(teeth, 8.0) * 0.7 + 2.0, tip_up)
-    wide = lerp(1.0, 0.72, tip_up)
-    pen.loop(
-        "mouth-tongue",
-        [
-            (left * 0.58, low + 12),
-            (left * 0.44 * wide, tongue + 3),
-            (left * 0.08, tongue),
-            (right * 0.08, tongue),
-            (right * 0.44 * wide, tongue + 3),
-            (right * 0.58, low + 12),
-            (0.0, low + 18),
-        ],
-    )
-    _teeth(pen, shape, teeth)
-
-
-def _teeth(pen: Pen, shape: Lips, teeth: Number) -> None:
-    top, bottom = shape.inner_upper, shape.inner_lower
-    (left, left_y), (right, right_y) = shape.corner
-    high, low = top[2][1], bottom[2][1]
-    arch = lerp(0.84, 0.60, shape.round)
-    part = (arch - 0.56) / 0.44
-    edge = [
-        row[1] + (y - row[1]) * np.maximum(part, 0.0) ** 1.6 - 0.6 for row, y in ((top[1], left_y), (top[3], right_y))
-    ]
-    sag = [lerp(top[k][1] + teeth * 0.8, high + teeth * 0.92, shape.round) for k in (1, 3)]
-    pen.loop(
-        "mouth-teeth-upper",
-        [
-            (left, left_y - 9, True),
-            (left * 0.5, top[1][1] - 9),
-            (0.0, high - 9),
-            (right * 0.5, top[3][1] - 9),
-            (right, right_y - 9, True),
-            (right * arch, edge[1], True),
-            (right * 0.46, sag[1]),
-            (0.0, high + teeth),
-            (left * 0.46, sag[0]),
-            (left * arch, edge[0], True),
-        ],
-    )
+    _set(pen, "mouth-tongue", style, tongue, TONGUE)
     shown = 0.72 * teeth * (1 - step(7.0, 17.0, shape.gap))
     hidden = 11.0 * (1 - step(0.0, 4.0, shown))
-    lower: list[Spot] = [
-        (left * 0.8, left_y + 12, True),
-        (0.0, low + 14),
-        (right * 0.8, right_y + 12, True),
-        (right * 0.74, lerp(right_y, bottom[3][1], 0.7) - shown * 0.3),
-        (right * 0.4, bottom[3][1] - shown * 0.8),
-        (0.0, low - shown),
-        (left * 0.4, bottom[1][1] - shown * 0.8),
-        (left * 0.74, lerp(left_y, bottom[1][1], 0.7) - shown * 0.3),
-    ]
-    pen.loop("mouth-teeth-lower", [(spot[0], spot[1] + hidden, len(spot) > 2) for spot in lower])
-    for along, share in GAPS:
-        k = int(along > 0)
-        x, y = abs(along) * (left, right)[k], lerp(high + teeth, sag[k], share)
-        pen.ribbon("mouth-teeth-gaps", [(x, y - teeth - 8, 0.01), (x, y - 0.4 * teeth - 2, 1.2), (x, y - 0.4, 0.01)])
+    _set(pen, "mouth-teeth-lower", style, low - shown + hidden, LOWER_TEETH)
+    _set(pen, "mouth-teeth-upper", style, high + teeth, UPPER_TEETH)
+    for x, rise in GAPS:
+        edge = high + teeth + rise
+        x = x * style.half_width
+        pen.ribbon("mouth-teeth-gaps", [(x, edge - 0.4, 0.01), (x, edge - 7, 1.2), (x, edge - 20, 0.01)])
 
 
-GAPS = ((-0.42, 0.92), (-0.22, 0.3), (0.0, 0.0), (0.22, 0.3), (0.42, 0.92))
-"""Where the upper teeth part: along the half mouth, and how far their edge is there between middle's and side's."""
+def _cavity(pen: Pen, shape: Lips) -> None:
+    """The dark of the mouth reaches under both lips, so that no slit shows and its edge is never seen."""
+    top, bottom = shape.inner_upper, shape.inner_lower
+    above = UNDER_LIPS * (top[2][1] - shape.outer_upper[2][1])
+    below = UNDER_LIPS * (shape.outer_lower[1][1] - bottom[2][1])
+    raised = [(top[k][0], top[k][1] - share * above) for k, share in SHARES]
+    lowered = [(bottom[k][0], bottom[k][1] + share * below) for k, share in SHARES]
+    pen.loop("mouth-cavity", [top[0], *raised, top[4], *lowered[::-1]])
 
 
-def _lips(pen: Pen, style: MouthStyle, shape: Lips, past: Number = 0.0) -> None:
-    """Both lips overlap the cavity by half a pixel, so that a closed mouth shows no slit; they reach `past` (px) the
-    corners of an opening that they ring."""
+UNDER_LIPS = 0.35
+"""How far under a lip the dark reaches, of the lip's thickness."""
+
+SHARES = ((1, 0.7), (2, 1.0), (3, 0.7))
+"""How much of that at the three places between the corners."""
+
+
+def _set(pen: Pen, part: str, style: MouthStyle, height: Number, half: Sequence[tuple[float, float, bool]]) -> None:
+    """Draw what is rigid, teeth and tongue: the cavity shows as much of it as is open. `half` are x (of the mouth's
+    half width), y below `height` (px) and sharpness, from the middle of the edge that is seen round to the root."""
+    spots = [(x * style.half_width, height + y, sharp) for x, y, sharp in half]
+    pen.loop(part, [*spots, *((-x, y, sharp) for x, y, sharp in spots[-2:0:-1])])
+
+
+TONGUE = (
+    *((0.0, 0.0, False), (0.19, 0.5, False), (0.36, 4.5, False), (0.50, 15.0, False)),
+    *((0.55, 46.0, True), (0.0, 46.0, False)),
+)
+UPPER_TEETH = (
+    *((0.0, 0.0, False), (0.46, -0.9, False), (0.80, -3.4, False), (0.92, -9.0, False)),
+    *((0.95, -28.0, True), (0.0, -28.0, False)),
+)
+LOWER_TEETH = ((0.0, 0.0, False), (0.40, -1.2, False), (0.74, -4.0, False), (0.8, 22.0, True), (0.0, 26.0, False))
+
+GAPS = ((-0.42, -0.8), (-0.22, -0.2), (0.0, 0.0), (0.22, -0.2), (0.42, -0.8))
+"""Where the upper teeth part: x of the mouth's half width, and how much higher their edge is there than the middle."""
+
+
+def _lips(pen: Pen, style: MouthStyle, shape: Lips, past: Number = 0.0, over: float = 0.0) -> None:
+    """Both lips; they reach `past` (px) the corners of an opening that they ring, and `over` it where nothing dark
+    lies under them, so that a closed mouth shows no slit."""
     (left, left_y), (right, right_y) = shape.corner
     top, bottom = shape.inner_upper, shape.inner_lower
     pen.loop(
@@ -118,7 +104,7 @@ def _lips(pen: Pen, style: MouthStyle, shape: Lips, past: Number = 0.0) -> None:
             (right + 1.1 + past, right_y - 0.3, True),
             *shape.outer_lower[::-1],
             (left - 1.1 - past, left_y - 0.3, True),
-            *((spot[0], spot[1] - 0.5) for spot in bottom[1:4]),
+            *((spot[0], spot[1] - over) for spot in bottom[1:4]),
         ],
     )
     pen.loop(
@@ -127,45 +113,50 @@ def _lips(pen: Pen, style: MouthStyle, shape: Lips, past: Number = 0.0) -> None:
             (left - 1.6 - past, left_y + 0.2, True),
             *shape.outer_upper,
             (right + 1.6 + past, right_y + 0.2, True),
-            *((spot[0], spot[1] + 0.6) for spot in top[3:0:-1]),
+            *((spot[0], spot[1] + over) for spot in top[3:0:-1]),
         ],
     )
     outer = (shape.outer_lower[1][1] + shape.outer_lower[2][1]) / 2
-    light = lerp(bottom[2][1], outer, 0.40)
-    tall = (outer - bottom[2][1]) * 0.24
+    light, half = lerp(bottom[2][1], outer, 0.40), style.half_width
     pen.loop(
         "mouth-lip-light",
-        [(left * 0.34, light - 0.8, True), (0.0, light - 1.4), (right * 0.22, light - 1.0, True), (0.0, light + tall)],
+        [
+            (-0.32 * half, light - 0.8, True),
+            (0.0, light - 1.4),
+            (0.20 * half, light - 1.0, True),
+            (0.0, light + 0.22 * style.lower),
+        ],
     )
     under = outer + 3.0
     pen.loop(
         "mouth-under",
         [
-            (left * 0.40, under - 1, True),
+            (-0.35 * half, under - 1, True),
             (0.0, under + 0.8),
-            (right * 0.40, under - 1, True),
-            (0.0, under + style.under * np.minimum(right / style.half_width, 1.0)),
+            (0.35 * half, under - 1, True),
+            (0.0, under + style.under),
         ],
     )
 
 
 def _line(pen: Pen, style: MouthStyle, shape: Lips) -> None:
-    """The line between the lips, with a tick at each corner; both fade as the mouth opens."""
+    """The dark below the upper lip, under which it lies, with a tick at each corner; both fade as the mouth opens."""
     (left, left_y), (right, right_y) = shape.corner
     top = shape.inner_upper
     width = style.line * (1 - 0.35 * shape.apart)
     tick = lerp(4.5, 2.0, shape.apart) * (1 - 0.6 * shape.round)
     rise = style.tick * (1 - 0.8 * shape.apart)
-    pen.ribbon(
+    pen.loop(
         "mouth-line",
         [
-            (left - tick, left_y + rise, 0.01),
-            (left, left_y + 0.2, width * 1.3, True),
-            (left * 0.56, top[1][1] + 0.3, width * 0.85),
-            (0.0, top[2][1] + 0.3, width * 1.15),
-            (right * 0.56, top[3][1] + 0.3, width * 0.85),
-            (right, right_y + 0.2, width * 1.3, True),
-            (right + tick, right_y + rise, 0.01),
+            (left - tick, left_y + rise, True),
+            (0.0, lerp(top[2][1], shape.outer_upper[2][1], 0.45)),
+            (right + tick, right_y + rise, True),
+            (right, right_y + 0.2 + 0.6 * width, True),
+            (right * 0.56, top[3][1] + 0.3 + 0.45 * width),
+            (0.0, top[2][1] + 0.3 + 0.6 * width),
+            (left * 0.56, top[1][1] + 0.3 + 0.45 * width),
+            (left, left_y + 0.2 + 0.6 * width, True),
         ],
     )
 

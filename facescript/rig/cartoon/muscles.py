@@ -22,6 +22,9 @@ Offset = tuple[float, float]
 LIMP = frozenset({"contour", "skin", "under_jaw", "mouth"})
 """Depth laws of the skin that follows the jaw."""
 
+RIGID = "rigid"
+"""The depth law of what follows it as a whole, as far as its first anchor would."""
+
 
 MIDDLE = 8.0
 """Where a shape crosses the face's middle, one side's muscle hands over to the other's within so many px."""
@@ -96,17 +99,16 @@ def _flesh(style: FaceStyle, table: Table) -> Iterator[Effect]:
     def boss(x: float, y: float) -> float:
         return -4.0 * smooth(chin_y - 45, chin_y - 15, y) * math.exp(-((x / 45) ** 2))
 
-    yield _down("jaw-drop", table, lambda _, law: law in LIMP, lambda x, y: smooth(start, chin_y - 8, y))
-    yield _down("jaw-drop", table, lambda _, law: law == "neck_shadow", lambda x, y: 0.6 * smooth(100, 200, y))
-    yield _down("chin", table, lambda _, law: law in LIMP, boss)
+    yield _down("jaw-drop", table, LIMP | {RIGID}, lambda x, y: smooth(start, chin_y - 8, y))
+    yield _down("jaw-drop", table, frozenset({"neck_shadow"}), lambda x, y: 0.6 * smooth(100, 200, y))
+    yield _down("chin", table, LIMP | {RIGID}, boss)
 
 
-def _down(
-    signal: str, table: Table, holds: Callable[[str, str], bool], push: Callable[[float, float], float]
-) -> Effect:
-    """What moves up and down all that it takes hold of, by part and law, as a function of its place."""
-    rows = [row for row, owner in enumerate(table.owner) if holds(*owner)]
-    return _effect(signal, rows, [(0.0, push(float(table.x[row]), float(table.y[row]))) for row in rows])
+def _down(signal: str, table: Table, laws: frozenset[str], push: Callable[[float, float], float]) -> Effect:
+    """What moves up and down all that it takes hold of, by law, as a function of its place."""
+    rows = [row for row, (_, law) in enumerate(table.owner) if law in laws]
+    told = [table.rows[table.owner[row][0]].start if table.owner[row][1] == RIGID else row for row in rows]
+    return _effect(signal, rows, [(0.0, push(float(table.x[row]), float(table.y[row]))) for row in told])
 
 
 def _effect(signal: str, rows: Sequence[int], offsets: Sequence[Offset]) -> Effect:
