@@ -1,0 +1,51 @@
+"""What keeps its form slides: one translation says it all; and work that processes share gives the same."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+import pytest
+
+from facescript.backends.job import JobFailure
+from facescript.backends.svg.slide import Slide
+from facescript.backends.svg.spread import spread
+
+TIMES = np.arange(0, 1.0, 0.01)
+FORM = np.array([(0.0, 0.0), (12.0, 1.0), (9.0, 8.0), (-4.0, 6.0)])
+QUANTUM = 0.25
+
+
+def moved(stretch: float) -> np.ndarray:
+    """The form going up and down by 12 px, and growing by some share of it."""
+    way = 6 - 6 * np.cos(TIMES * 12)
+    return FORM * (1 + stretch * way[:, None, None]) + np.stack([0 * way, way], axis=1)[:, None]
+
+
+def test_a_form_that_is_kept_slides() -> None:
+    points = moved(0.0)
+    slide = Slide.of(points[::9])
+    assert slide is not None
+    beside = slide.follow(TIMES, points, QUANTUM)
+    assert len(slide.keys.times) < len(TIMES) / 3
+    assert np.abs(beside - FORM + FORM.mean(axis=0)).max() < 0.25
+
+
+def test_what_changes_its_form_or_hardly_moves_does_not() -> None:
+    assert Slide.of(moved(0.2)[::9]) is None
+    assert Slide.of(FORM + np.zeros((9, 1, 1))) is None
+
+
+@pytest.mark.parametrize("jobs", [1, 2, 3, 20])
+def test_processes_share_the_work(jobs: int) -> None:
+    assert spread(range(7), lambda number: (number, number**2), jobs) == [(number, number**2) for number in range(7)]
+    assert spread([], str, jobs) == []
+
+
+def test_a_process_that_ends_is_told() -> None:
+    def work(number: int) -> int:
+        return number if os.getpid() == here else os._exit(1)
+
+    here = os.getpid()
+    with pytest.raises(JobFailure):
+        spread(range(4), work, 2)
