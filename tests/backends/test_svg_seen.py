@@ -60,13 +60,23 @@ def sight(upper: Paint = "#102030", opacity: float = 1.0, moved: float = 0.0, fi
 
 
 def test_what_another_covers_is_not_shown() -> None:
-    assert sight().shown()[0].tolist() == [0, 1]
+    assert sight().shown(np.zeros(1))[0].tolist() == [0, 1]
 
 
 @pytest.mark.parametrize("seen", [{"opacity": 0.9}, {"upper": CLEAR}, {"moved": 9.5}, {"moved": 30.0}])
 def test_what_may_be_seen_is_shown(seen: dict[str, float]) -> None:
     """Something shines through, or an edge is nearer than the margin, or looks out."""
-    assert sight(**seen).shown()[0, 0] == 1  # type: ignore[arg-type]
+    assert sight(**seen).shown(np.zeros(1))[0, 0] == 1  # type: ignore[arg-type]
+
+
+def test_what_is_hidden_for_a_moment_is_not_switched_off() -> None:
+    """Half a second under the cover, and two and a half."""
+    one, aside = sight(), sight(moved=60.0)
+    times = np.arange(0, 6, 0.5)
+    away = np.array([1, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 1], dtype=bool)
+    points = np.where(away[:, None, None], aside.points, one.points)
+    shown = Sight(one.shapes, one.columns, points, np.ones((len(times), 2))).shown(times)
+    assert shown[:, 0].tolist() == [1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 1]
 
 
 def corner_tolerances(view: Sight) -> Floats:

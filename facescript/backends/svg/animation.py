@@ -81,7 +81,7 @@ def animation(job: Job, curved: Sequence[Curves] = ()) -> Animation:
         chunk = moments[first : first + CHUNK]
         drawn = job.stage.frames(chunk)
         sight = Sight(shapes, columns, drawn.points, drawn.opacity)
-        shown = sight.shown()
+        shown = sight.shown(chunk)
         courses = spread(courses, partial(_followed, chunk, sight, shown), job.hands())
         for time, opacity, ground in zip(chunk.tolist(), shown, drawn.grounds, strict=True):
             (shades.push if shades.begun else shades.begin)(time, opacity / SHADE)

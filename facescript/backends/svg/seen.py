@@ -19,6 +19,12 @@ Ints = NDArray[np.int64]
 MARGIN = 1.0
 """Pixels by which a shape may miss its clip, or lie under another, and is still taken as seen."""
 
+WHILE = 2.0
+"""Seconds: what is out of sight for less is not switched off, which costs more than drawing it."""
+
+LEAST = 0.03
+"""What is less opaque cannot be seen."""
+
 SPARSE = 6
 """Of the places of an outline, how many apart those are that tell first whether it may be covered."""
 
@@ -42,16 +48,18 @@ class Sight:
     points: Floats
     opacity: Floats
 
-    def shown(self) -> Floats:
-        """The opacity where a shape's box meets the box of what clips it, or nothing clips it, and no later shape
-        covers it; else 0."""
-        shown = self.opacity.copy()
+    def shown(self, times: Floats) -> Floats:
+        """The opacity at the moments `times` (s); 0 where it is less than LEAST, and for as long as a shape is out of
+        sight: its box misses the box of what clips it, or a later shape covers it."""
+        shown = np.where(self.opacity < LEAST, 0.0, self.opacity)
         for number, shape in enumerate(self.shapes):
+            if not shown[:, number].any():
+                continue
+            hidden = self._covered(number)
             if shape.clip:
                 mine = self._outline(number)
-                shown[:, number] *= self._missed(number, mine.min(axis=1), mine.max(axis=1)) <= MARGIN
-            if self.opacity[:, number].any():
-                shown[:, number] *= ~self._covered(number)
+                hidden |= self._missed(number, mine.min(axis=1), mine.max(axis=1)) > MARGIN
+            shown[_lasting(hidden, times), number] = 0
         return shown
 
     def tolerances(self, number: int, spots: Floats, off: float) -> Floats:
@@ -119,6 +127,15 @@ class Sight:
                 clip = self._outline(place)
                 gaps.append(np.maximum(low - clip.max(axis=1), clip.min(axis=1) - high).max(axis=-1))
         return np.asarray(np.min(gaps, axis=0))
+
+
+def _lasting(hidden: Bools, times: Floats) -> Bools:
+    """The moments of those spells of hiding that last for WHILE, or to an end of the times."""
+    edges = np.flatnonzero(np.diff(hidden.astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
+    lasting = np.zeros_like(hidden)
+    for first, end in edges.tolist():
+        lasting[first:end] = times[end - 1] - times[first] >= WHILE or first == 0 or end == len(times)
+    return lasting
 
 
 def around(seen: Bools) -> Bools:

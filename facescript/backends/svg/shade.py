@@ -13,7 +13,7 @@ from lxml import etree
 
 from facescript.backends.svg.track import Track, svg
 
-REST = 4.0
+REST = 1.0
 """Seconds: a shorter rest between two changes is not worth an animation more."""
 
 NEAR = 0.1

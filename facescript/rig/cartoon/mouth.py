@@ -180,4 +180,3 @@ def _folds(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> None:
         )
         strength = 0.22 * side.smile + 0.30 * side.nose + 0.20 * side.raise_ + 0.08 * side.stretch
         pen.opacity[f"cheek-fold-{name}"] = np.minimum(strength, 0.42)
-    pen.opacity["mouth-under"] = 0.42 + 0.1 * shape.apart
