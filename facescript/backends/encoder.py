@@ -1,4 +1,4 @@
-"""Frames to a file: one ffmpeg process, fed through a pipe by a thread of its own, ended whatever happens."""
+"""Frames to a file: one ffmpeg process, fed through a pipe, ended whatever happens."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ import threading
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
-from queue import SimpleQueue
 from types import TracebackType
 from typing import IO
 
@@ -23,9 +22,6 @@ if sys.platform == "linux":
     from fcntl import F_SETPIPE_SZ, fcntl
 
 Bytes = NDArray[np.uint8]
-
-AHEAD = 8
-"""Frames that may wait for the encoder."""
 
 PIPE_BYTES = 1 << 20
 """What Linux lets anyone's pipe hold."""
@@ -46,53 +42,31 @@ class Encoder:
             self._process = subprocess.Popen(command, stdin=pipe, stdout=quiet, stderr=pipe, start_new_session=True)
         except OSError as fault:
             raise JobFailure(f"ffmpeg cannot be run ({fault.strerror})") from None
-        # Simple queues, because they alone stay whole when an interrupt comes while one is being used.
-        self._waiting: SimpleQueue[Bytes | None] = SimpleQueue()
-        self._free: SimpleQueue[Bytes | None] = SimpleQueue()
-        for _ in range(AHEAD):
-            self._free.put(None)
         _widen(self._process.stdin)
         self._words = b""
-        self._broken = False
-        self._threads = [threading.Thread(target=work, daemon=True) for work in (self._feed, self._listen)]
-        for thread in self._threads:
-            thread.start()
+        self._listener = threading.Thread(target=self._listen, daemon=True)
+        self._listener.start()
 
     def __enter__(self) -> Encoder:
         return self
 
     def write(self, frame: Bytes) -> None:
-        """Hand over one frame; it is copied. Raises `JobFailure` once ffmpeg has stopped."""
-        if self._broken:
+        """Hand over one frame, which ffmpeg has when this returns; it keeps a few that wait for its encoder. Raises
+        `JobFailure` once ffmpeg has stopped."""
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(frame.data)
+        except OSError:
             self._fail()
-        slot = self._free.get()
-        if slot is None:
-            slot = np.empty_like(frame)
-        slot[...] = frame
-        self._waiting.put(slot)
 
     def __exit__(self, kind: type[BaseException] | None, fault: BaseException | None, at: TracebackType | None) -> None:
         try:
             if kind is None:
-                self._waiting.put(None)
-                self._threads[0].join()
-                if self._process.wait() or self._broken:
+                _close(self._process.stdin)
+                if self._process.wait():
                     self._fail()
         finally:
             self._end()
-
-    def _feed(self) -> None:
-        """The feeding thread: frames to ffmpeg until there are no more; once it has stopped they are thrown away."""
-        assert self._process.stdin is not None
-        while (frame := self._waiting.get()) is not None:
-            if not self._broken:
-                try:
-                    self._process.stdin.write(frame.data)
-                except (OSError, ValueError):
-                    self._broken = True
-            self._free.put(frame)
-        with suppress(OSError):
-            self._process.stdin.close()
 
     def _listen(self) -> None:
         """The listening thread: keeps ffmpeg's last words."""
@@ -102,21 +76,24 @@ class Encoder:
 
     def _fail(self) -> None:
         self._process.kill()
-        self._threads[1].join()
+        self._listener.join()
         lines = self._words.decode(errors="replace").strip().splitlines()
         raise JobFailure(f"ffmpeg stopped: {lines[-1].strip()}" if lines else "ffmpeg stopped")
 
     def _end(self) -> None:
-        """End ffmpeg and the threads, if they still run."""
+        """End ffmpeg and the thread, if they still run."""
         self._process.kill()
-        self._waiting.put(None)
         self._process.wait()
-        for thread in self._threads:
-            thread.join()
+        self._listener.join()
         for stream in (self._process.stdin, self._process.stderr):
-            if stream is not None:
-                with suppress(OSError):
-                    stream.close()
+            _close(stream)
+
+
+def _close(stream: IO[bytes] | None) -> None:
+    """Close a pipe, whether or not what is at its other end still lives."""
+    if stream is not None:
+        with suppress(OSError):
+            stream.close()
 
 
 def _widen(pipe: IO[bytes] | None) -> None:

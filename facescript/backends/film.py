@@ -43,9 +43,6 @@ WEBM = (
     *("-c:a", "libopus", "-b:a", "96k", "-f", "webm"),
 )
 
-ENCODING = 1
-"""Cores that the encoder needs about."""
-
 SWIFTEST_GIF = 50.0
 """Frames a second: a GIF counts time in hundredths of a second, and players slow down what is under two."""
 
@@ -97,7 +94,7 @@ def _gif_pictures(job: Job, times: Floats, clear: bool) -> Iterator[Bytes]:
 
 def _write_film(job: Job, path: Path, kind: Sequence[str], clear: bool = False) -> None:
     times = job.times()
-    planes = film_planes(job.stage, times, job.hands(ENCODING), clear)
+    planes = film_planes(job.stage, times, job.hands(), clear)
     kind = (*kind, "-g", str(max(1, round(KEY_SECONDS * job.fps))))
     with drawing_faults(), film_options(job, kind, clear) as options, planes as frames:
         _encode(_counted(job, frames, len(times)), options, path)

@@ -31,8 +31,9 @@ Bytes = NDArray[np.uint8]
 CHUNK = 16
 """Frames sampled and laid out in one call, always the same ones together, so that no rounding depends on `jobs`."""
 
-SLOTS = 4
-"""Finished frames that a drawing process may be ahead."""
+SHARED = 128 << 20
+"""Bytes of finished frames that all drawing processes together may be ahead: at best each a whole chunk, so that none
+stands still while another's chunk is encoded."""
 
 DRAWN, FREE = b"drawn", b"free"
 """What the processes tell each other."""
@@ -119,14 +120,16 @@ def _share(times: Floats, number: int, workers: int) -> Floats:
 
 
 class Team:
-    """Processes that each draw a share of the frames into SLOTS of shared memory in turn.
+    """Processes that each draw a share of the frames into slots of shared memory in turn.
 
     A process says "drawn" after each frame, and is told "free" when one of its slots may be filled again.
     """
 
     def __init__(self, stage: Stage, shares: Sequence[Floats], clear: bool) -> None:
         size = even(stage.width) * even(stage.height) * (5 if clear else 3) // 2
-        self._slots = [list(np.frombuffer(mmap(-1, SLOTS * size), np.uint8).reshape(SLOTS, size)) for _ in shares]
+        self._ahead = max(1, min(CHUNK, SHARED // (size * len(shares))))
+        shape = self._ahead, size
+        self._slots = [list(np.frombuffer(mmap(-1, self._ahead * size), np.uint8).reshape(shape)) for _ in shares]
         pipes = [multiprocessing.Pipe() for _ in shares]
         self._links = [near for near, _ in pipes]
         fork = multiprocessing.get_context("fork")
@@ -149,7 +152,7 @@ class Team:
             worker = chunk % len(self._links)
             own = chunk // len(self._links) * CHUNK + number % CHUNK
             self._wait(self._links[worker])
-            yield self._slots[worker][own % SLOTS]
+            yield self._slots[worker][own % self._ahead]
             with suppress(OSError):
                 self._links[worker].send_bytes(FREE)
 
@@ -178,9 +181,9 @@ def _draw(
     with suppress(EOFError, OSError, KeyboardInterrupt):
         try:
             for number, frame in enumerate(frames()):
-                if number >= SLOTS:
+                if number >= len(slots):
                     link.recv_bytes()
-                slots[number % SLOTS][...] = frame
+                slots[number % len(slots)][...] = frame
                 link.send_bytes(DRAWN)
         except FAULTS as fault:
             link.send_bytes(fault.args[0].encode())

@@ -73,10 +73,10 @@ class Job:
         """The soundtrack of the whole film."""
         return soundtrack(self.score)
 
-    def hands(self, busy: int = 0) -> int:
-        """How many processes work at once: as asked for, or one a core of the machine that is not `busy` otherwise."""
+    def hands(self) -> int:
+        """How many processes work at once: as asked for, or one a core of the machine."""
         cores = len(os.sched_getaffinity(0)) if sys.platform == "linux" else 1
-        return self.jobs or min(max(1, cores - busy), MOST_HANDS)
+        return self.jobs or min(cores, MOST_HANDS)
 
     @property
     def fps(self) -> float:

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from PIL import Image, ImageSequence
 
-from facescript.backends import encoder, film, stills
+from facescript.backends import encoder, film, frames, stills
 from facescript.backends.encoder import Encoder, program
 from facescript.backends.film import write_gif, write_mp4, write_webm
 from facescript.backends.frames import CHUNK, film_planes, pictures, planes
@@ -133,11 +133,17 @@ def test_the_same_job_gives_the_same_bytes(write: object, speaking: Job, tmp_pat
     assert (tmp_path / "one").read_bytes() == (tmp_path / "two").read_bytes()
 
 
-def test_frames_are_the_same_however_many_processes_draw_them(job: Job) -> None:
+@pytest.mark.parametrize("shared", [frames.SHARED, 3 * 98 * 54 * 3 // 2 * 5, 0], ids=["chunks", "five", "one"])
+def test_frames_are_the_same_however_many_processes_draw_them_and_how_far_ahead(
+    shared: int, job: Job, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(frames, "SHARED", shared)
     times = np.arange(3 * CHUNK + 5) / 40
     alone = [frame.tobytes() for frame in planes(job.stage, times)]
-    with film_planes(job.stage, times, 3) as frames:
-        assert [frame.tobytes() for frame in frames] == alone
+    with film_planes(job.stage, times, 3) as drawn:
+        for frame, expected in zip(drawn, alone, strict=True):
+            time.sleep(0.002)  # long enough for the next to be drawn over it, were its slot not kept
+            assert frame.tobytes() == expected
 
 
 def test_a_film_is_what_its_frames_are(job: Job, tmp_path: Path) -> None:
@@ -244,6 +250,24 @@ def test_ffmpeg_killed_while_it_works_is_a_failure(tmp_path: Path) -> None:
     with pytest.raises(JobFailure, match="ffmpeg stopped"):
         feed()
     assert children() == before
+
+
+def test_an_interrupt_while_ffmpeg_takes_no_more_ends_it(tmp_path: Path) -> None:
+    before = children(), threading.active_count()
+
+    def feed() -> None:
+        with Encoder((*film.raw_input("yuv420p", 320, 180, 30), *film.MP4), tmp_path / "film.mp4") as running:
+            (process,) = children() - before[0]
+            os.kill(int(process), signal.SIGSTOP)
+            for _ in range(10_000):
+                running.write(np.zeros(320 * 180 * 3 // 2, dtype=np.uint8))
+
+    alarm = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    alarm.start()
+    with pytest.raises(KeyboardInterrupt):
+        feed()
+    alarm.join()
+    assert (children(), threading.active_count()) == before
 
 
 def test_an_interrupt_ends_everything(job: Job, tmp_path: Path) -> None:
