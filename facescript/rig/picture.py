@@ -37,7 +37,7 @@ class Stop:
 
 @dataclass(frozen=True, slots=True)
 class Linear:
-    """A gradient along a line, in fractions of the shape's bounding box."""
+    """A gradient along a line, in fractions of the shape's bounding box, which is rolled with the head."""
 
     stops: tuple[Stop, ...]
     start: tuple[float, float] = (0.0, 0.0)
@@ -46,7 +46,7 @@ class Linear:
 
 @dataclass(frozen=True, slots=True)
 class Radial:
-    """A gradient around a centre, in fractions of the shape's bounding box."""
+    """A gradient around a centre, in fractions of the shape's bounding box, which is rolled with the head."""
 
     stops: tuple[Stop, ...]
     centre: tuple[float, float] = (0.5, 0.5)
@@ -82,10 +82,12 @@ class Shape:
 @dataclass(frozen=True, slots=True)
 class Picture:
     """Frames of a face as geometry. `points` is array[frame, point, 2] in the rig's own px (y down), `opacity`
-    array[frame, shape] 0..1; a shape at 0 need not be drawn."""
+    array[frame, shape] 0..1; a shape at 0 need not be drawn. `turns`, array[frame, shape], is by how many radians
+    clockwise the head or body is rolled in the picture that each belongs to: the box that its gradient fills is."""
 
     points: Floats
     opacity: Floats
+    turns: Floats
 
 
 class Rig(Protocol):
