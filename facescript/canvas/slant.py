@@ -29,10 +29,14 @@ class Slants:
     def __init__(self, shapes: Sequence[Shape], starts: NDArray[np.intp]) -> None:
         """`starts` are the first points of the shapes in the array of points, contour after contour."""
         self._graded = np.array([not isinstance(shape.fill, str) for shape in shapes], dtype=bool)
-        firsts = [_segments(shape, int(start)) for shape, start in zip(shapes, starts, strict=True)]
-        self._first = np.concatenate([np.zeros(0, dtype=np.intp), *firsts])
-        self._owner = np.repeat(np.arange(len(shapes)), [len(first) for first in firsts])
         self._turns = np.zeros(len(shapes))
+        filled = np.flatnonzero(self._graded).tolist()
+        firsts = [_segments(shapes[number], int(starts[number])) for number in filled]
+        self._curves = np.concatenate([np.zeros(0, dtype=np.intp), *firsts])[:, None] + np.arange(4)
+        counts = [len(first) for first in firsts]
+        self._begins = np.cumsum([0, *counts[:-1]]) if counts else np.zeros(0, dtype=np.intp)
+        self._box = np.repeat(np.arange(len(filled)), counts)
+        self._owner = np.array(filled, dtype=np.intp)
 
     def take(self, turns: Floats) -> Bools:
         """Take a frame's turns, array[shape], radians clockwise; which shapes look other than before."""
@@ -43,20 +47,29 @@ class Slants:
 
     def places(self, points: Singles, due: Bools) -> dict[int, Place]:
         """Where the gradients lie of those shapes that are `due` and do not stand upright; points array[point, 2]."""
-        which = np.flatnonzero(due & (self._turns != 0))
-        if not len(which):
+        wanted = (due & (self._turns != 0))[self._owner]
+        if not wanted.any():
             return {}
-        chosen = np.isin(self._owner, which)
-        owner = self._owner[chosen]
-        curves = points[self._first[chosen, None] + np.arange(4)].astype(np.float64)
-        cos, sin = np.cos(self._turns), np.sin(self._turns)
-        ends = [_ends(part) for part in _turned(curves, cos[owner, None], -sin[owner, None])]
-        begins = np.flatnonzero(np.diff(owner, prepend=-1))
-        low = [np.minimum.reduceat(least, begins) for least, _ in ends]
-        size = [
-            np.maximum(np.maximum.reduceat(most, begins) - at, THIN) for at, (_, most) in zip(low, ends, strict=True)
-        ]
-        return dict(zip(which.tolist(), _matrices(low, size, cos[which], sin[which]), strict=True))
+        turns = self._turns[self._owner]
+        cos, sin = np.cos(turns), np.sin(turns)
+        low, high = self._boxes(points, cos[self._box, None], sin[self._box, None])
+        found = _matrices(low, np.maximum(high - low, THIN), cos, sin)
+        return {number: found[box] for box, number in enumerate(self._owner.tolist()) if wanted[box]}
+
+    def _boxes(self, points: Singles, cos: Floats, sin: Floats) -> tuple[Floats, Floats]:
+        """The corners array[xy, box] of all boxes in their frames, cosine and sine array[curve, 1]."""
+        x, y = np.ascontiguousarray(points.T, dtype=np.float64)[:, self._curves]
+        turned = np.stack([x * cos + y * sin, y * cos - x * sin])
+        begin, one, other, end = turned.transpose(2, 0, 1)
+        low = np.minimum.reduceat(np.minimum(begin, end), self._begins, axis=1)
+        high = np.maximum.reduceat(np.maximum(begin, end), self._begins, axis=1)
+        # Only a curve with a handle outside the box of the joints can go beyond it.
+        beyond = (np.minimum(one, other) < low[:, self._box]) | (np.maximum(one, other) > high[:, self._box])
+        axis, curve = np.nonzero(beyond)
+        least, most = _ends(turned[axis, curve])
+        np.minimum.at(low, (axis, self._box[curve]), least)
+        np.maximum.at(high, (axis, self._box[curve]), most)
+        return low, high
 
 
 def _segments(shape: Shape, start: int) -> NDArray[np.intp]:
@@ -66,29 +79,21 @@ def _segments(shape: Shape, start: int) -> NDArray[np.intp]:
     return np.concatenate([np.arange(at, at + count - 1, 3) for at, count in zip(begins, counts, strict=True)])
 
 
-def _turned(points: Floats, cos: Floats, sin: Floats) -> tuple[Floats, Floats]:
-    """x and y of points array[..., 2], turned clockwise about the origin."""
-    x, y = points[..., 0], points[..., 1]
-    return x * cos - y * sin, x * sin + y * cos
-
-
 def _ends(curves: Floats) -> tuple[Floats, Floats]:
     """The least and the most of cubics in one axis, array[curve, 4]."""
-    p, q, r, s = curves.T
-    cubed, squared, once = s - p + 3 * (q - r), p - 2 * q + r, q - p
+    begin, one, other, end = curves.T
+    cubed, squared, once = end - begin + 3 * (one - other), begin - 2 * one + other, one - begin
     # The slope is none where cubed t t + 2 squared t + once is 0; any other t from 0 to 1 does no harm.
     root = np.sqrt(np.maximum(squared * squared - cubed * once, 0.0))
     both = -(squared + np.copysign(root, squared))
     with np.errstate(divide="ignore", invalid="ignore"):
         times = np.fmin(np.fmax([both / cubed, once / both], 0.0), 1.0)
-    between = p + times * (3 * once + times * (3 * squared + times * cubed))
-    least = np.minimum(np.minimum(p, s), between.min(axis=0))
-    most = np.maximum(np.maximum(p, s), between.max(axis=0))
-    return least, most
+    between = begin + times * (3 * once + times * (3 * squared + times * cubed))
+    return between.min(axis=0), between.max(axis=0)
 
 
-def _matrices(low: list[Floats], size: list[Floats], cos: Floats, sin: Floats) -> list[Place]:
-    """Boxes in frames turned clockwise, as places."""
+def _matrices(low: Floats, size: Floats, cos: Floats, sin: Floats) -> list[Place]:
+    """Boxes array[xy, box] in frames turned clockwise, as places."""
     (left, top), (wide, high) = low, size
     rows = (cos * wide, -sin * high, cos * left - sin * top, sin * wide, cos * high, sin * left + cos * top)
     return list(zip(*(row.tolist() for row in rows), strict=True))

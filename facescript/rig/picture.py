@@ -83,7 +83,7 @@ class Shape:
 class Picture:
     """Frames of a face as geometry. `points` is array[frame, point, 2] in the rig's own px (y down), `opacity`
     array[frame, shape] 0..1; a shape at 0 need not be drawn. `turns`, array[frame, shape], is by how many radians
-    clockwise the head or body is rolled in the picture that each belongs to: the box that its gradient fills is."""
+    clockwise each shape's layer is rolled in the picture, with the head or less; so is the box its gradient fills."""
 
     points: Floats
     opacity: Floats
