@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -88,6 +89,12 @@ class Picture:
     points: Floats
     opacity: Floats
     turns: Floats
+
+
+def unturned(points: Floats, turn: float) -> Floats:
+    """Points array[point, xy] that are turned by so many radians clockwise, turned back about the origin."""
+    (x, y), (cos, sin) = points.T, (math.cos(turn), math.sin(turn))
+    return np.stack([x * cos + y * sin, y * cos - x * sin], axis=1)
 
 
 class Rig(Protocol):

@@ -13,7 +13,7 @@ from facescript.backends.svg.ease import Keys
 from facescript.backends.svg.limit import Apart
 from facescript.performance.channels import INDEX
 from facescript.performance.performance import REST, FaceCurves, Frames, Performance
-from facescript.rig.picture import Shape
+from facescript.rig.picture import Shape, unturned
 from facescript.stage.stage import Stage
 
 Floats = NDArray[np.float64]
@@ -115,7 +115,7 @@ def carriers(
     some = _some(moments)
     start = stage.frames(some[:1])
     rolled = [float(start.turns[0, np.equal(of, number)].mean()) for number in range(len(parts))]
-    rests = [_upright(start.points[0, part] / quantum, turn) for part, turn in zip(parts, rolled, strict=True)]
+    rests = [unturned(start.points[0, part] / quantum, turn) for part, turn in zip(parts, rolled, strict=True)]
     for begin in range(0, len(some), CHUNK):
         chunk = some[begin : begin + CHUNK]
         points = stage.frames(chunk).points / quantum
@@ -129,12 +129,6 @@ def _telling(shapes: Sequence[Shape], columns: Sequence[Ints], places: Sequence[
     where there are others."""
     free = [place for place in places if not shapes[place].clip]
     return np.concatenate([columns[place] for place in free or places])
-
-
-def _upright(points: Floats, turn: float) -> Floats:
-    """Points array[point, xy] that are turned by so many radians clockwise, turned back about the origin."""
-    (cos, sin), (x, y) = (np.cos(turn), np.sin(turn)), points.T
-    return np.stack([x * cos + y * sin, y * cos - x * sin], axis=1)
 
 
 def _affine(rest: Floats, points: Floats) -> tuple[Floats, Floats]:

@@ -61,7 +61,7 @@ class Pose:
 
     def rolled(self, follow: Floats) -> Floats:
         """How far what follows the head by so much, array[part], is rolled in the picture: array[frame, part], radians
-        clockwise. The trunk leans by 2 degrees at most, and what is on it is taken to be upright: that draws quicker."""
+        clockwise. The trunk leans 2 degrees at most; what is on it is taken to be upright, which is quicker drawn."""
         sin_roll, cos_roll, lean = (part[:, None] for part in (*self.roll, self.trunk[1]))
         angles: Floats = np.arctan2(lean + follow * (sin_roll - lean), 1 + follow * (cos_roll - 1))
         return np.where(follow > 0, angles, 0.0)
