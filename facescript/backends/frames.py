@@ -61,8 +61,10 @@ def drawn(stage: Stage, painter: Painter, cloth: Backcloth, times: Floats) -> It
     """Draw the moments one by one into the painter's pixels; the boxes of each are where they changed."""
     for first in range(0, len(times), CHUNK):
         frames = stage.frames(times[first : first + CHUNK])
-        for points, opacity, ground in zip(frames.points, frames.opacity, frames.grounds, strict=True):
-            yield painter.draw(points, opacity, cloth.paint(ground))
+        for points, opacity, turns, ground in zip(
+            frames.points, frames.opacity, frames.turns, frames.grounds, strict=True
+        ):
+            yield painter.draw(points, opacity, cloth.paint(ground), turns)
 
 
 def pictures(stage: Stage, times: Floats) -> Iterator[Bytes]:

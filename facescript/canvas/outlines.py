@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.canvas.box import Box, bands
+from facescript.canvas.slant import Slants
 from facescript.canvas.thorvg import Clipped, Outline
 from facescript.rig.picture import Shape
 
@@ -30,6 +31,7 @@ class Outlines:
         self._order = np.concatenate([np.zeros(0, dtype=np.intp), *rows])
         self._ends = np.cumsum([len(each) for each in rows], dtype=np.intp)
         self._starts = self._ends - np.array([len(each) for each in rows], dtype=np.intp)
+        self._slants = Slants(shapes, self._starts)
         self._shapes = [Outline(_lengths([shape]), shape.fill) for shape in shapes]
         place = {shape.id: number for number, shape in enumerate(shapes)}
         self._reach = _reach([[place[name] for name in shape.clip] for shape in shapes])
@@ -45,11 +47,12 @@ class Outlines:
         """What a canvas draws, in order, and which shapes each paint holds: neighbours with one clip go together."""
         return [(group.members, group.paint(self._shapes)) for group in self._groups]
 
-    def take(self, points: Floats, opacity: Floats) -> Bools:
-        """Take a frame, points array[point, 2] in px and opacity array[shape]; which shapes look other than before."""
+    def take(self, points: Floats, opacity: Floats, turns: Floats) -> Bools:
+        """Take a frame, points array[point, 2] in px, opacity array[shape] and turns array[shape], by how many radians
+        clockwise the frames of gradients are turned; which shapes look other than before."""
         self._before = self._low, self._high, self._levels
         fresh = (np.rint(points[self._order] * GRID) / GRID).astype(np.float32)
-        moved = self._moved(fresh)
+        moved = self._moved(fresh) | self._slants.take(turns)
         self._points = fresh
         self._levels = np.rint(255 * np.clip(opacity, 0.0, 1.0)).astype(np.int64)
         shaded = self._levels != self._before[2]
@@ -90,8 +93,9 @@ class Outlines:
                 group.clip.shape(union.ctypes.data)
         address, step = self._points.ctypes.data, self._points.strides[0]
         starts = (address + step * self._starts).tolist()
+        places = self._slants.places(self._points, due)
         for number in np.flatnonzero(due).tolist():
-            self._shapes[number].shape(starts[number])
+            self._shapes[number].shape(starts[number], places.get(number, ()))
         self._stale &= ~due
         for number in np.flatnonzero(shaded).tolist():
             self._shapes[number].shade(int(self._levels[number]))

@@ -35,12 +35,13 @@ class Painter:
         self._under = Canvas(self._base, [paint for members, paint in paints if members.start < self._still])
         self._over = Canvas(self.pixels, [paint for members, paint in paints if members.start >= self._still])
 
-    def draw(self, points: Floats, opacity: Floats, ground: Pixels) -> tuple[Box, ...]:
+    def draw(self, points: Floats, opacity: Floats, ground: Pixels, turns: Floats | float = 0.0) -> tuple[Box, ...]:
         """Draw a frame into `pixels`: points array[point, 2] in px, opacity array[shape], over `ground` (same size).
 
+        Gradients lie in the boxes of outlines in frames that are turned clockwise by `turns` array[shape], radians.
         Gives the boxes outside which `pixels` are as they were before. A ground must not be changed once given.
         """
-        touched = self._outlines.take(points, opacity)
+        touched = self._outlines.take(points, opacity, np.broadcast_to(turns, opacity.shape))
         if ground is not self._ground or touched[: self._still].any():
             return self._draw_all(ground)
         if not touched.any():

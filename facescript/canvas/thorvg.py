@@ -113,13 +113,14 @@ class Outline:
         self._count = sum(lengths)
         self._gradient = self._filled(fill)
 
-    def shape(self, address: int) -> None:
-        """Take a new outline, pairs of 32-bit floats in px, contour after contour. Its gradient follows."""
+    def shape(self, address: int, place: Sequence[float] = ()) -> None:
+        """Take a new outline, pairs of 32-bit floats in px, contour after contour. Its gradient follows: it
+        fills the upright box, or goes to a `place`, the first two rows of a matrix from the unit square."""
         lib = self._lib
         lib.tvg_shape_reset(self.paint)
         lib.tvg_shape_append_path(self.paint, *self._commands, address, self._count)
         if self._gradient is not None:
-            lib.tvg_gradient_set_transform(self._gradient, self._box())
+            lib.tvg_gradient_set_transform(self._gradient, _Matrix(*place, 0, 0, 1) if place else self._box())
             lib.tvg_shape_set_gradient(self.paint, self._gradient)
 
     def shade(self, level: int) -> None:

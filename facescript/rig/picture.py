@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -37,7 +38,7 @@ class Stop:
 
 @dataclass(frozen=True, slots=True)
 class Linear:
-    """A gradient along a line, in fractions of the shape's bounding box."""
+    """A gradient along a line, in fractions of the shape's bounding box, which is rolled with the head."""
 
     stops: tuple[Stop, ...]
     start: tuple[float, float] = (0.0, 0.0)
@@ -46,7 +47,7 @@ class Linear:
 
 @dataclass(frozen=True, slots=True)
 class Radial:
-    """A gradient around a centre, in fractions of the shape's bounding box."""
+    """A gradient around a centre, in fractions of the shape's bounding box, which is rolled with the head."""
 
     stops: tuple[Stop, ...]
     centre: tuple[float, float] = (0.5, 0.5)
@@ -82,10 +83,18 @@ class Shape:
 @dataclass(frozen=True, slots=True)
 class Picture:
     """Frames of a face as geometry. `points` is array[frame, point, 2] in the rig's own px (y down), `opacity`
-    array[frame, shape] 0..1; a shape at 0 need not be drawn."""
+    array[frame, shape] 0..1; a shape at 0 need not be drawn. `turns`, array[frame, shape], is by how many radians
+    clockwise each shape's layer is rolled in the picture, with the head or less; so is the box its gradient fills."""
 
     points: Floats
     opacity: Floats
+    turns: Floats
+
+
+def unturned(points: Floats, turn: float) -> Floats:
+    """Points array[point, xy] that are turned by so many radians clockwise, turned back about the origin."""
+    (x, y), (cos, sin) = points.T, (math.cos(turn), math.sin(turn))
+    return np.stack([x * cos + y * sin, y * cos - x * sin], axis=1)
 
 
 class Rig(Protocol):

@@ -37,7 +37,7 @@ def _paint(image: Image.Image, spots: list[Spot]) -> None:
     painter = Painter(side, side, drawn.shapes)
     red, green, blue = colour(GROUND)
     ground = np.full((side, side), 0xFF << 24 | red << 16 | green << 8 | blue, dtype=np.uint32)
-    for spot, points, opacity in zip(spots, drawn.points, drawn.opacity, strict=True):
-        painter.draw(points, opacity, ground)
+    for spot, points, opacity, turns in zip(spots, drawn.points, drawn.opacity, drawn.turns, strict=True):
+        painter.draw(points, opacity, ground, turns)
         channels = [(painter.pixels >> shift & 0xFF).astype(np.uint8) for shift in (16, 8, 0)]
         image.paste(Image.fromarray(np.stack(channels, axis=-1)), (spot.left, spot.top))

@@ -29,11 +29,13 @@ HEAD, CLOSE = (1.2, -1 / 15), (1.9, 0.0)
 
 @dataclass(frozen=True, slots=True)
 class Portraits:
-    """One face's cells as geometry: `points` array[cell, point, 2] in px, `opacity` array[cell, shape] 0..1."""
+    """One face's cells as geometry: `points` array[cell, point, 2] in px, `opacity` array[cell, shape] 0..1, `turns`
+    array[cell, shape] in radians (`rig.picture.Picture`)."""
 
     shapes: tuple[Shape, ...]
     points: Floats
     opacity: Floats
+    turns: Floats
 
 
 def portraits(face: Face, cells: Sequence[Cell], side: int, close: bool) -> Portraits:
@@ -46,7 +48,7 @@ def portraits(face: Face, cells: Sequence[Cell], side: int, close: bool) -> Port
     stage = Stage(score, performance, _no_picture)
     frames = stage.frames(np.arange(len(cells), dtype=np.float64))
     ahead = np.array([shape.group != BACKDROP for shape in stage.shapes])
-    return Portraits(stage.shapes, frames.points, frames.opacity * ahead)
+    return Portraits(stage.shapes, frames.points, frames.opacity * ahead, frames.turns)
 
 
 def poses(score: Score, cells: Sequence[Cell]) -> Frames:

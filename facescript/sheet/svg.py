@@ -14,12 +14,15 @@ from facescript.backends.svg.paint import Paints
 from facescript.backends.svg.path import Ints, numbers
 from facescript.backends.svg.track import svg
 from facescript.plot.svg import document, told
-from facescript.rig.picture import Shape
+from facescript.rig.picture import Shape, unturned
 from facescript.sheet.page import Page, Spot
 from facescript.sheet.poses import Floats, Portraits, portraits
 
 SIDE = 720
 """A face is drawn so wide, to whole units, and made small: that is a quarter of a pixel of a usual cell."""
+
+ANGLE = 2
+"""Decimals of the degrees that a shape is rolled."""
 
 SHADE = 100
 """Steps of opacity from clear to full."""
@@ -49,7 +52,7 @@ def _portrait(spot: Spot, drawn: Portraits, number: int, pen: Pen) -> etree._Ele
     place = {"x": str(spot.left), "y": str(spot.top), "width": str(spot.side), "height": str(spot.side)}
     element = svg("svg", viewBox=f"0 0 {SIDE} {SIDE}", data_face=spot.face.name, **place)
     element.append(told("title", f"{spot.face.name}: {spot.cell.label}"))
-    element.extend(pen.paths(drawn.shapes, drawn.points[number], drawn.opacity[number]))
+    element.extend(pen.paths(drawn, number))
     return element
 
 
@@ -79,17 +82,22 @@ class Pen:
         self._paths: dict[tuple[str, ...], etree._Element] = {}
         self._shared = 0
 
-    def paths(self, shapes: tuple[Shape, ...], points: Floats, opacity: Floats) -> Iterator[etree._Element]:
-        """The visible shapes of one frame, points array[point, 2] in px, opacity array[shape]."""
-        places = np.rint(points).astype(np.int64)
-        outlines = {shape.id: _outline(shape, places) for shape in shapes}
-        for shape, level in zip(shapes, np.rint(opacity * SHADE).astype(int).tolist(), strict=True):
+    def paths(self, drawn: Portraits, number: int) -> Iterator[etree._Element]:
+        """The visible shapes of one cell. Those with a gradient are drawn upright, and rolled with all they hold."""
+        named = {shape.id: shape for shape in drawn.shapes}
+        levels = np.rint(drawn.opacity[number] * SHADE).astype(int).tolist()
+        graded = [not isinstance(shape.fill, str) for shape in drawn.shapes]
+        angles = (np.degrees(drawn.turns[number]).round(ANGLE) * graded).tolist()
+        places = {angle: _upright(drawn.points[number], angle) for angle in set(angles)}
+        for shape, level, angle in zip(drawn.shapes, levels, angles, strict=True):
             if level > 0:
-                yield self._path(shape, outlines, level)
+                outlines = {name: _outline(named[name], places[angle]) for name in (shape.id, *shape.clip)}
+                yield self._path(shape, outlines, level, angle)
 
-    def _path(self, shape: Shape, outlines: dict[str, str], level: int) -> etree._Element:
+    def _path(self, shape: Shape, outlines: dict[str, str], level: int, angle: float) -> etree._Element:
         clip = self._clip(outlines[name] for name in shape.clip) if shape.clip else ""
         look = {**self.paints.fill(shape.fill), "d": outlines[shape.id]}
+        look |= {"transform": f"rotate({angle:g})"} if angle else {}
         look |= {"opacity": f"{level / SHADE:g}"} if level < SHADE else {}
         look |= {"clip_path": f"url(#{clip})"} if clip else {}
         first = self._paths.get(key := tuple(look.values()))
@@ -107,6 +115,11 @@ class Pen:
             self.clips[key] = element = svg("clipPath", id=f"{self.face}-c{len(self.clips) + 1}")
             element.extend(svg("path", d=outline) for outline in key)
         return str(self.clips[key].get("id"))
+
+
+def _upright(points: Floats, angle: float) -> Ints:
+    """Points array[point, xy] that are turned by so many degrees clockwise, turned back, in whole units."""
+    return np.rint(unturned(points, np.radians(angle))).astype(np.int64)
 
 
 def _outline(shape: Shape, places: Ints) -> str:

@@ -45,15 +45,17 @@ class Actor:
         self.count = len(rest) + len(self._behind[0])
         self._hem = self._hung(rest, film)
 
-    def draw(self, frames: Frames) -> tuple[Floats, Floats]:
-        """Points array[frame, point, 2] in picture px and opacity array[frame, shape] of poses."""
+    def draw(self, frames: Frames) -> Picture:
+        """The geometry of poses, its points in picture px."""
         picture = self._rig.draw(frames)
         points, opacity = (np.repeat(part[None], len(frames), axis=0) for part in self._behind)
+        upright = np.zeros_like(opacity)
         joined = np.concatenate([picture.points, points], axis=1)
         joined *= self._standing.scale
         joined += self._standing.left, self._standing.top
         joined[:, : len(self._hem), 1] += self._hem
-        return joined, np.concatenate([opacity, picture.opacity], axis=1)
+        shades = np.concatenate([opacity, picture.opacity], axis=1)
+        return Picture(joined, shades, np.concatenate([upright, picture.turns], axis=1))
 
     def _fills(self, points: Floats) -> bool:
         """Whether an outline goes all around the art box."""

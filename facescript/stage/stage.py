@@ -22,10 +22,11 @@ Floats = NDArray[np.float64]
 @dataclass(frozen=True, slots=True)
 class StageFrames:
     """Frames of the film: `points` array[frame, point, 2] in film px (y down), `opacity` array[frame, shape] 0..1,
-    and the ground behind them, one a frame."""
+    `turns` array[frame, shape] in radians (`rig.picture.Picture`), and the ground behind them, one a frame."""
 
     points: Floats
     opacity: Floats
+    turns: Floats
     grounds: tuple[Ground, ...]
 
 
@@ -55,17 +56,20 @@ class Stage:
     def frames(self, times: Floats) -> StageFrames:
         """The picture at `times` (seconds from the film's start, any order)."""
         points = np.zeros((len(times), self._firsts[-1], 2))
-        opacity = np.zeros((len(times), len(self._order)))
+        opacity, turns = (np.zeros((len(times), len(self._order))) for _ in range(2))
         at = 0
         for number, actor in enumerate(self._actors):
             poses = self._performance.sample_face(actor.name, times)
-            points[:, self._firsts[number] : self._firsts[number + 1]], shades = actor.draw(poses)
-            opacity[:, at : at + len(actor.shapes)] = shades * self._present(actor.name, times)[:, None]
-            at += len(actor.shapes)
+            drawn = actor.draw(poses)
+            mine = slice(at, at + len(actor.shapes))
+            points[:, self._firsts[number] : self._firsts[number + 1]] = drawn.points
+            opacity[:, mine] = drawn.opacity * self._present(actor.name, times)[:, None]
+            turns[:, mine] = drawn.turns
+            at = mine.stop
         opacity = opacity[:, self._order]
         grounds = tuple(self._grounds.at(time) for time in times.tolist())
         opacity[:, : self._backdrops] *= np.array([own_share(ground) for ground in grounds])[:, None]
-        return StageFrames(self._looked_at(points, times), opacity, grounds)
+        return StageFrames(self._looked_at(points, times), opacity, turns[:, self._order], grounds)
 
     def _place(self) -> None:
         """Join the shapes of all faces, backdrops first."""

@@ -46,11 +46,15 @@ SHAPES = (
 
 
 def draw(
-    shapes: tuple[Shape, ...], points: np.ndarray, opacity: object = None, ground: np.ndarray = WHITE
+    shapes: tuple[Shape, ...],
+    points: np.ndarray,
+    opacity: object = None,
+    ground: np.ndarray = WHITE,
+    turns: np.ndarray | float = 0.0,
 ) -> np.ndarray:
     painter = Painter(WIDTH, HEIGHT, shapes)
     shades = np.ones(len(shapes)) if opacity is None else np.array(opacity, dtype=float)
-    painter.draw(points, shades, ground)
+    painter.draw(points, shades, ground, turns)
     return painter.pixels.copy()
 
 
@@ -61,6 +65,7 @@ frames = st.tuples(
     st.lists(shades, min_size=6, max_size=6).map(np.array),
     st.sampled_from([WHITE, BLUE]),
     st.lists(st.booleans(), min_size=6, max_size=6),
+    st.sampled_from([0.0, 0.3]),
 )
 
 
@@ -69,11 +74,11 @@ frames = st.tuples(
 def test_a_frame_is_the_same_alone_and_in_a_run(run: list[tuple]) -> None:
     painter = Painter(WIDTH, HEIGHT, SHAPES)
     points = np.zeros((6 * OVAL, 2))
-    for fresh, opacity, ground, keep in run:
+    for fresh, opacity, ground, keep, turns in run:
         points = np.where(np.repeat(keep, OVAL)[:, None], points, fresh)
         before = painter.pixels.copy()
-        boxes = painter.draw(points, opacity, ground)
-        alone = draw(SHAPES, points, opacity, ground)
+        boxes = painter.draw(points, opacity, ground, turns)
+        alone = draw(SHAPES, points, opacity, ground, turns)
         assert (painter.pixels == alone).all()
         for box in boxes:
             box.of(before)[...] = box.of(painter.pixels)
@@ -111,6 +116,38 @@ def test_gradients_span_the_bounding_box_of_the_curve() -> None:
     assert red[10] < 20
     assert red[32] == pytest.approx(128, abs=6)
     assert red[54] > 235
+
+
+@pytest.mark.parametrize("fill", [FADE, Linear(FADE.stops, (0.2, 0.9), (0.8, 0.1)), GLOW])
+@pytest.mark.parametrize("turn", [-0.5, 0.02, 0.4])
+def test_a_gradient_turns_with_its_outline(fill: Linear | Radial, turn: float) -> None:
+    """The colours of a turned leaf are those of the upright one at the places that turn there."""
+    middle = np.array([48.0, 32.0])
+    cos, sin = math.cos(turn), math.sin(turn)
+    leaf = oval(0, 0, 26, 15)
+    leaf[1:3] += (4, 6)
+    leaf[7:9] -= (9, 1)
+    upright = draw((shape(0, fill),), middle + leaf).view(np.uint8).reshape(HEIGHT, WIDTH, 4).astype(float)
+    turned = middle + leaf @ np.array([[cos, sin], [-sin, cos]])
+    pixels = draw((shape(0, fill),), turned, turns=np.array([turn])).view(np.uint8).reshape(HEIGHT, WIDTH, 4)
+    for place in np.array([(-14, 0), (14, 2), (0, -9), (3, 9), (8, 4), (-6, -5), (0, 0)]):
+        there = place @ np.array([[cos, sin], [-sin, cos]])
+        assert between(pixels, middle + there) == pytest.approx(between(upright, middle + place), abs=3.0)
+
+
+def between(pixels: np.ndarray, place: np.ndarray) -> np.ndarray:
+    """The colour at a place that is no pixel's middle."""
+    (column, row), (x, y) = np.floor(place - 0.5).astype(int), (place - 0.5) % 1.0
+    four = pixels[row : row + 2, column : column + 2].astype(float)
+    return np.asarray(np.einsum("y,x,yxc->c", (1 - y, y), (1 - x, x), four))
+
+
+def test_a_turn_alone_changes_a_gradient_and_nothing_else() -> None:
+    painter = Painter(WIDTH, HEIGHT, (shape(0), shape(1, FADE)))
+    points = np.concatenate([oval(30, 30, 20, 10), oval(60, 30, 20, 10)])
+    painter.draw(points, np.ones(2), WHITE)
+    assert not painter.draw(points, np.ones(2), WHITE, np.array([0.3, 0.0]))
+    assert painter.draw(points, np.ones(2), WHITE, np.array([0.3, 0.3]))
 
 
 def test_opacity_mixes_with_what_lies_below() -> None:

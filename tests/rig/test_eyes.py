@@ -70,7 +70,7 @@ def test_the_smallest_kind_is_drawn_without_a_ground_of_its_own() -> None:
     shapes, still = backdrop(rig(script_face(GOOD)).style)
     assert shapes == () and still.points.shape == (1, 0, 2)
     actor = Actor(script_face(GOOD), Standing(0.0, 0.0, 1.0), Film())
-    drawn = actor.draw(REST[None])[0]
+    drawn = actor.draw(REST[None]).points
     assert np.isfinite(drawn).all() and actor.ground is None
     assert drawn[..., 1].max() < 500.0
 

@@ -32,7 +32,7 @@ def scenery(face: Face) -> tuple[tuple[Shape, ...], Picture]:
     wall = Shape("wall", "background", (Contour(0, 13),), WALL, moving=False)
     disc = Shape("disc", "background", (Contour(13, 13),), "#cc9966", moving=False)
     points = np.concatenate([block(0, 0, 720, 720), block(60, 60, 660, 660)])
-    return (wall, disc), Picture(points[None], np.ones((1, 2)))
+    return (wall, disc), Picture(points[None], np.ones((1, 2)), np.zeros((1, 2)))
 
 
 class BlockRig:
@@ -52,7 +52,7 @@ class BlockRig:
     def draw(self, frames: Frames) -> Picture:
         points = np.repeat(np.concatenate(self.places)[None], len(frames), axis=0)
         points[:, 13:, 0] += frames[:, [INDEX["head.yaw"]]]
-        return Picture(points, np.ones((len(frames), 3)))
+        return Picture(points, np.ones((len(frames), 3)), np.zeros((len(frames), 3)))
 
 
 class Turning:

@@ -13,7 +13,7 @@ from facescript.backends.svg.ease import Keys
 from facescript.backends.svg.limit import Apart
 from facescript.performance.channels import INDEX
 from facescript.performance.performance import REST, FaceCurves, Frames, Performance
-from facescript.rig.picture import Shape
+from facescript.rig.picture import Shape, unturned
 from facescript.stage.stage import Stage
 
 Floats = NDArray[np.float64]
@@ -104,7 +104,8 @@ def carriers(
 ) -> tuple[tuple[int, ...], tuple[Carrier, ...]]:
     """Which carrier is whose shape's, and the carriers: how the head alone would move their points, as one affine.
 
-    Shapes of a group, and those that clip each other, share a carrier.
+    Shapes of a group, and those that clip each other, share a carrier. Inside it they stand upright however the film
+    begins: a gradient, which fills an upright box there, is rolled with the head.
     """
     of = shared(shapes, job.stage.owners)
     parts = [_telling(shapes, columns, [place for place, own in enumerate(of) if own == number]) for number in set(of)]
@@ -112,12 +113,14 @@ def carriers(
     stage = Stage(job.score, heads, job.pictures)
     found = tuple(Carrier() for _ in parts)
     some = _some(moments)
-    first = stage.frames(some[:1]).points[0] / quantum
+    start = stage.frames(some[:1])
+    rolled = [float(start.turns[0, np.equal(of, number)].mean()) for number in range(len(parts))]
+    rests = [unturned(start.points[0, part] / quantum, turn) for part, turn in zip(parts, rolled, strict=True)]
     for begin in range(0, len(some), CHUNK):
         chunk = some[begin : begin + CHUNK]
         points = stage.frames(chunk).points / quantum
-        for part, carrier in zip(parts, found, strict=True):
-            carrier.follow(chunk, *_affine(first[part], points[:, part]))
+        for part, rest, carrier in zip(parts, rests, found, strict=True):
+            carrier.follow(chunk, *_affine(rest, points[:, part]))
     return of, found
 
 

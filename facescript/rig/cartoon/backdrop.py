@@ -13,7 +13,7 @@ def backdrop(style: FaceStyle) -> tuple[tuple[Shape, ...], Picture]:
     """Shapes of group "background" with points of their own, and their one frame; the art box is 720 x 720 px."""
     parts = style.backdrop
     if not parts:
-        return (), Picture(np.empty((1, 0, 2)), np.empty((1, 0)))
+        return (), Picture(np.empty((1, 0, 2)), np.empty((1, 0)), np.empty((1, 0)))
     outlines = {part.id: part.loops for part in parts}
     anchors = table.build(parts, outlines, outlines)
     middle = style.eyes_at
@@ -21,4 +21,5 @@ def backdrop(style: FaceStyle) -> tuple[tuple[Shape, ...], Picture]:
     shapes = tuple(
         Shape(part.id, part.group, anchors.contours[part.id], part.fill, part.clip, moving=False) for part in parts
     )
-    return shapes, Picture(np.stack(columns, axis=-1)[None], np.array([[part.opacity for part in parts]]))
+    opacity = np.array([[part.opacity for part in parts]])
+    return shapes, Picture(np.stack(columns, axis=-1)[None], opacity, np.zeros_like(opacity))

@@ -41,6 +41,7 @@ class CartoonRig:
         self._live = tuple(part.id for part in parts if not part.loops)
         self._table = self._lay_out((*parts, *points.feature_parts(style)))
         self._turn = Turn(self._table.x, self._table.y, self._depths(), style.d)
+        self._follow = self._following(parts)
         self._effects = effects(style, self._table)
         hair = {part.id for part in parts if part.group.startswith("hair")}
         rows = np.flatnonzero([part in hair for part, _ in self._table.owner])
@@ -60,7 +61,8 @@ class CartoonRig:
         drawn = np.empty((len(frames), self._table.source.shape[1], 2))
         for axis, values in enumerate((x, y)):
             drawn[:, :, axis] = (self._table.points(values) + self.eyes[axis]).T
-        return Picture(drawn, self._tone(pen, named, len(frames)))
+        turns = Pose.of(named, self.style.d).rolled(self._follow)
+        return Picture(drawn, self._tone(pen, named, len(frames)), turns)
 
     def features(self, frames: Frames) -> Floats:
         """The feature points `points.NAMES` as drawn in the poses: array[frame, 72 + 17, 2], px."""
@@ -105,6 +107,12 @@ class CartoonRig:
         lying = zip(table.owner, table.middle, table.deep, strict=True)
         laid = [(LAWS[law](x / d, y / d, head), z) for (_, law), (x, y), z in lying]
         return [depth if z is None else replace(depth, z=z) for depth, z in laid]
+
+    def _following(self, parts: tuple[Part, ...]) -> Floats:
+        """How much each part follows the head: as its layer does in the mean, which is what can be moved as a whole."""
+        groups = {part.group for part in parts}
+        mean = {group: self._turn.follow[self._rows_in(group, parts)].mean() for group in groups}
+        return np.array([mean[part.group] for part in parts])
 
     def _rows_in(self, group: str, parts: tuple[Part, ...]) -> NDArray[np.intp]:
         """The rows of a group of parts."""
