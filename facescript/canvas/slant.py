@@ -19,6 +19,9 @@ Place = tuple[float, float, float, float, float, float]
 THIN = 1e-3
 """Px: no box is taken to be narrower."""
 
+UNSEEN = np.radians(3.0)
+"""A gradient tilted by less is drawn upright, which is faster and looks the same; tilted twice as much it is whole."""
+
 FINE = 4096.0
 """Steps of a radian: a gradient turned by less looks the same."""
 
@@ -41,7 +44,8 @@ class Slants:
     def take(self, turns: Floats) -> Bools:
         """Take a frame's turns, array[shape], radians clockwise; which shapes look other than before."""
         before = self._turns
-        self._turns = np.where(self._graded, np.rint(turns * FINE) / FINE, 0.0)
+        seen = turns * np.clip(np.abs(turns) / UNSEEN - 1, 0, 1)
+        self._turns = np.where(self._graded, np.rint(seen * FINE) / FINE, 0.0)
         changed: Bools = self._turns != before
         return changed
 
