@@ -52,7 +52,7 @@ class Animation:
     """Outline and opacity of every shape over time, the transforms that carry it, and what lies behind all.
 
     Outlines and translations are in `quantum` pixels; a shape that `slides` is moved as a whole besides. `curved` are
-    the outlines' curves, and `carried` says which of the carriers is whose.
+    the outlines' curves, `cut` is what a clip ever cuts, and `carried` says which of the carriers is whose.
     """
 
     quantum: float
@@ -61,6 +61,7 @@ class Animation:
     outlines: tuple[Track, ...]
     slides: tuple[Track | None, ...]
     opacities: tuple[Track, ...]
+    cut: tuple[bool, ...]
     carried: tuple[int, ...]
     carriers: tuple[tuple[Carried, ...], ...]
     behind: Behind
@@ -77,11 +78,13 @@ def animation(job: Job, curved: Sequence[Curves] = ()) -> Animation:
     courses = _courses(job, _Carried(moments, columns, carried, carrying), curved)
     shades = Swing(np.arange(len(shapes)), len(shapes), 1.0)
     behind = Behind()
+    cut: set[int] = set()
     for first in range(0, len(moments), CHUNK):
         chunk = moments[first : first + CHUNK]
         drawn = job.stage.frames(chunk)
         sight = Sight(shapes, columns, drawn.points, drawn.opacity)
         shown = sight.shown(chunk)
+        cut |= {place for place, shape in enumerate(shapes) if shape.clip and place not in cut and sight.cut(place)}
         courses = spread(courses, partial(_followed, chunk, sight, shown), job.hands())
         for time, opacity, ground in zip(chunk.tolist(), shown, drawn.grounds, strict=True):
             (shades.push if shades.begun else shades.begin)(time, opacity / SHADE)
@@ -95,6 +98,7 @@ def animation(job: Job, curved: Sequence[Curves] = ()) -> Animation:
         tuple(outline_track(course.keys, course.curves, start) for course in courses),
         tuple(slide_track(course.slide, start) if course.slide else None for course in courses),
         tuple(shade_track(keys, start) for keys in shades.keys),
+        tuple(place in cut for place in range(len(shapes))),
         carried,
         tuple(carrier_tracks(carrier, start) for carrier in carrying),
         behind,

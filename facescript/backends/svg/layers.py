@@ -88,7 +88,11 @@ def _face_groups(stage: Stage, shown: Sequence[Showing], clock: Clock, rules: li
         group = svg("g", id=name, class_=kind, data_face=owner)
         paints = Paints(owner, mine)
         parts = [_part(showing, _layers(showing, shapes, places, paints, clock)) for showing in shown]
-        clips = [_clip(clip, showing.mark) for showing in shown for clip in _clips(mine)]
+        clips = [
+            _clip(clip, showing.mark)
+            for showing in shown
+            for clip in _clips([shapes[place] for place in places if showing.moving.cut[place]])
+        ]
         _define(group, [*paints.elements(), *clips])
         group.extend(parts)
         rules += paints.rules()
@@ -136,7 +140,7 @@ def _layers(
         for layer, part in groupby(carried, key=lambda place: shapes[place].group):
             element = svg("g", class_=layer)
             drawn = [place for place in part if shapes[place].id in bounds or not _never(moving.opacities[place])]
-            for clip, together in groupby(drawn, key=lambda place: shapes[place].clip):
+            for clip, together in groupby(drawn, key=lambda place: shapes[place].clip if moving.cut[place] else ()):
                 paths = [_path(shapes[place], place, showing, paints, clock) for place in together]
                 element.extend([_clipped(paths, clip, showing.mark)] if clip else paths)
             carrier.append(element)
