@@ -262,11 +262,13 @@ def test_an_interrupt_while_ffmpeg_takes_no_more_ends_it(tmp_path: Path) -> None
             for _ in range(10_000):
                 running.write(np.zeros(320 * 180 * 3 // 2, dtype=np.uint8))
 
-    alarm = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    usual = signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in what a shell runs behind
+    alarm = threading.Timer(0.5, signal.pthread_kill, (threading.get_ident(), signal.SIGINT))
     alarm.start()
     with pytest.raises(KeyboardInterrupt):
         feed()
     alarm.join()
+    signal.signal(signal.SIGINT, usual)
     assert (children(), threading.active_count()) == before
 
 
