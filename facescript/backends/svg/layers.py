@@ -140,9 +140,11 @@ def _layers(
         for layer, part in groupby(carried, key=lambda place: shapes[place].group):
             element = svg("g", class_=layer)
             drawn = [place for place in part if shapes[place].id in bounds or not _never(moving.opacities[place])]
-            for clip, together in groupby(drawn, key=lambda place: shapes[place].clip if moving.cut[place] else ()):
+            for clip, run in groupby(drawn, key=lambda place: shapes[place].clip):
+                together = list(run)
                 paths = [_path(shapes[place], place, showing, paints, clock) for place in together]
-                element.extend([_clipped(paths, clip, showing.mark)] if clip else paths)
+                cut = any(moving.cut[place] for place in together)
+                element.extend([_clipped(paths, clip, showing.mark)] if cut else paths)
             carrier.append(element)
         whole.append(carrier)
     yield whole
