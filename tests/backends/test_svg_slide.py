@@ -1,8 +1,11 @@
-"""What keeps its form slides: one translation says it all; and work that processes share gives the same."""
+"""What keeps its form slides: one translation says it all; and work that processes share gives the same bytes."""
 
 from __future__ import annotations
 
+import multiprocessing
 import os
+import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +13,7 @@ import pytest
 from facescript.backends.job import JobFailure
 from facescript.backends.svg.slide import Slide
 from facescript.backends.svg.spread import spread
+from facescript.cli.main import main
 
 TIMES = np.arange(0, 1.0, 0.01)
 FORM = np.array([(0.0, 0.0), (12.0, 1.0), (9.0, 8.0), (-4.0, 6.0)])
@@ -49,3 +53,24 @@ def test_a_process_that_ends_is_told() -> None:
     here = os.getpid()
     with pytest.raises(JobFailure):
         spread(range(4), work, 2)
+
+
+def test_an_interrupt_ends_all_processes_without_a_word(capfd: pytest.CaptureFixture[str]) -> None:
+    def work(number: int) -> int:
+        if os.getpid() != here:
+            time.sleep(60 if number == 1 else 0)
+        raise KeyboardInterrupt
+
+    here = os.getpid()
+    with pytest.raises(KeyboardInterrupt):
+        spread(range(3), work, 3)
+    assert not multiprocessing.active_children()
+    assert capfd.readouterr().err == ""
+
+
+def test_the_file_is_the_same_whatever_the_processes(tmp_path: Path) -> None:
+    (tmp_path / "script.face").write_text("film 320x240, 1s long, seed 3\nface ada = woman\nada: nod\n", "utf-8")
+    for jobs in "13":
+        target = tmp_path / f"{jobs}.svg"
+        assert main(["build", str(tmp_path / "script.face"), "-o", str(target), "--jobs", jobs, "--quiet"]) == 0
+    assert (tmp_path / "1.svg").read_bytes() == (tmp_path / "3.svg").read_bytes()

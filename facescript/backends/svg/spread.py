@@ -5,7 +5,9 @@ from __future__ import annotations
 import multiprocessing
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from multiprocessing.connection import Connection
+from multiprocessing.context import ForkProcess
 from typing import TypeVar
 
 from facescript.backends.job import JobFailure
@@ -15,27 +17,35 @@ Made = TypeVar("Made")
 
 
 def spread(things: Sequence[T], work: Callable[[T], Made], jobs: int) -> list[Made]:
-    """What `work` makes of each thing, in order, done by `jobs` processes. Raises `JobFailure` where one ends."""
+    """What `work` makes of each thing, in order, done by `jobs` processes: this one, and others that end with the call.
+    Raises `JobFailure` where one of them ends sooner."""
     workers = min(jobs, len(things))
     if workers < 2 or sys.platform != "linux":
         return [work(thing) for thing in things]
-    fork = multiprocessing.get_context("fork")
-    links = []
-    for number in range(1, workers):
-        near, far = fork.Pipe(duplex=False)
-        process = fork.Process(target=_work, args=(things[number::workers], work, far), daemon=True)
-        process.start()
-        far.close()
-        links.append((near, process))
-    shares = [[work(thing) for thing in things[::workers]]]
-    for near, process in links:
-        try:
-            shares.append(near.recv())
-        except EOFError:
-            raise JobFailure("a process that draws has ended") from None
-        process.join()
+    team = [_started(things[number::workers], work) for number in range(1, workers)]
+    try:
+        shares = [[work(thing) for thing in things[::workers]], *(link.recv() for link, _ in team)]
+    except EOFError:
+        raise JobFailure("a process that draws has ended") from None
+    finally:
+        for link, process in team:
+            process.kill()
+            process.join()
+            link.close()
     return [shares[number % workers][number // workers] for number in range(len(things))]
 
 
+def _started(things: Sequence[T], work: Callable[[T], Made]) -> tuple[Connection, ForkProcess]:
+    """A process at its share of the work, and where it sends what it has made."""
+    fork = multiprocessing.get_context("fork")
+    near, far = fork.Pipe(duplex=False)
+    process = fork.Process(target=_work, args=(things, work, far), daemon=True)
+    process.start()
+    far.close()
+    return near, process
+
+
 def _work(things: Sequence[T], work: Callable[[T], Made], link: Connection) -> None:
-    link.send([work(thing) for thing in things])
+    """A process's whole work. An interrupt ends it without a word: its parent is interrupted too, and tells."""
+    with suppress(OSError, KeyboardInterrupt):
+        link.send([work(thing) for thing in things])

@@ -83,11 +83,14 @@ TONGUE = (
     *((0.0, 0.0, False), (0.19, 0.5, False), (0.36, 4.5, False), (0.50, 15.0, False)),
     *((0.55, 46.0, True), (0.0, 46.0, False)),
 )
+"""The tongue's half as `_set` takes it: its root lies lower than any mouth opens."""
+
 UPPER_TEETH = (
     *((0.0, 0.0, False), (0.46, -0.9, False), (0.80, -3.4, False), (0.92, -9.0, False)),
     *((0.95, -28.0, True), (0.0, -28.0, False)),
 )
 LOWER_TEETH = ((0.0, 0.0, False), (0.40, -1.2, False), (0.74, -4.0, False), (0.8, 22.0, True), (0.0, 26.0, False))
+"""Half of each row of teeth, flat and rounded at its end; the roots lie behind the lips."""
 
 GAPS = ((-0.42, -0.8), (-0.22, -0.2), (0.0, 0.0), (0.22, -0.2), (0.42, -0.8))
 """Where the upper teeth part: x of the mouth's half width, and how much higher their edge is there than the middle."""
