@@ -57,8 +57,8 @@ def test_a_process_that_ends_is_told() -> None:
 
 def test_an_interrupt_ends_all_processes_without_a_word(capfd: pytest.CaptureFixture[str]) -> None:
     def work(number: int) -> int:
-        if os.getpid() != here:
-            time.sleep(60 if number == 1 else 0)
+        waits = 1.0 if os.getpid() == here else 60.0 if number == 1 else 0.0
+        time.sleep(waits)
         raise KeyboardInterrupt
 
     here = os.getpid()
