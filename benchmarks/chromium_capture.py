@@ -16,7 +16,7 @@ from _scripts import talk
 from facescript.backends.encoder import program as ffmpeg
 from facescript.backends.film import write_mp4
 from facescript.backends.svg.document import write_svg
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "browser"))
 from chromium import Page, program

@@ -12,7 +12,7 @@ from facescript.backends.frames import drawn
 from facescript.backends.job import Job
 from facescript.canvas.painter import Painter
 from facescript.resolve.kinds.library import kind_names
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.stage.backcloth import Backcloth
 
 FIRST, COUNT = 300, 300

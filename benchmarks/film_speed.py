@@ -15,7 +15,7 @@ from facescript.backends.encoder import Encoder
 from facescript.backends.film import film_options, write_mp4
 from facescript.backends.frames import planes
 from facescript.backends.job import Job
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 
 RUNS = 3
 """Pairs; the middle one counts."""

@@ -11,7 +11,7 @@ import numpy as np
 from _measure import job_of, row
 
 from facescript.performance.performance import Performance
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 
 HOUR, QUARTER = 3600, 900
 FRAMES, CHUNK = 60, 60

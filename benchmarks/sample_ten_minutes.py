@@ -9,7 +9,7 @@ import numpy as np
 from _measure import job_of, row
 from _scripts import talk
 
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 
 
 def main() -> None:

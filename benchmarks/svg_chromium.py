@@ -12,7 +12,7 @@ from _measure import job_of, row
 from _scripts import talk
 
 from facescript.backends.svg.document import write_svg
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "browser"))
 from chromium import Page, program

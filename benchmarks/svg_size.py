@@ -13,7 +13,7 @@ from _scripts import talk
 from facescript.backends.job import Job
 from facescript.backends.svg.document import write_svg
 from facescript.rig.picture import Shape
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 
 RATE = 30
 SECONDS = 60

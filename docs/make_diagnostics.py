@@ -17,8 +17,8 @@ from facescript.cli.main import main
 from facescript.compile import compile_source
 from facescript.diagnostics.catalogue import CATALOGUE
 from facescript.diagnostics.catalogue.model import Entry
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.estimate import EstimatedVoice
-from facescript.speech.voicebox import open_voice
 from facescript.text import Source
 from facescript.world import World
 

@@ -15,7 +15,7 @@ from facescript.backends.stills import write_png
 from facescript.cli.main import main as run
 from facescript.compile import compile_source
 from facescript.resolve.kinds.library import kind_names
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.text import Source
 from facescript.world import World
 

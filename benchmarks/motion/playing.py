@@ -20,8 +20,8 @@ from facescript.performance.channels import INDEX
 from facescript.performance.performance import Performance
 from facescript.schedule.score import Score
 from facescript.space.room import Room, towards
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.model import VoiceBox
-from facescript.speech.voicebox import open_voice
 from facescript.text import Source
 from facescript.world import World
 

@@ -17,7 +17,7 @@ from facescript.ir.play import Play
 from facescript.motion.perform import perform
 from facescript.performance.performance import Performance
 from facescript.schedule.score import Score
-from facescript.speech.mix import soundtrack
+from facescript.speech.sound.mix import soundtrack
 
 if TYPE_CHECKING:
     from facescript.stage.stage import Stage

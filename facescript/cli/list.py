@@ -12,7 +12,7 @@ from facescript.diagnostics.model import Diagnostics
 from facescript.performance.channels import CHANNELS, MUSCLES
 from facescript.resolve.kinds.library import kind_names, kinds_with, library_head
 from facescript.resolve.words import UNSEEN, VERBS, WORDS
-from facescript.speech.voicebox import list_voices
+from facescript.speech.espeak.voicebox import list_voices
 from facescript.syntax.parser import parse
 from facescript.syntax.tree import ActionDefinition, Declaration, ExpressionDefinition, Item
 from facescript.world import World

@@ -7,7 +7,7 @@ import argparse
 from facescript.cli.project import open_script
 from facescript.cli.settings import settings
 from facescript.compile import Compiled, compile_source
-from facescript.speech.voicebox import open_voice
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.world import World
 
 

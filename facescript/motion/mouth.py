@@ -10,8 +10,18 @@ from numpy.typing import NDArray
 
 from facescript.performance.channels import MOUTH
 from facescript.schedule.score import TimedLine
-from facescript.speech.mouthing import DECAY, FOLLOWED, GAP, PAUSE, MouthShape, arranged, breath, lead, mouth_shapes
-from facescript.speech.visemes import SHAPES, Values
+from facescript.speech.mouth.mouthing import (
+    DECAY,
+    FOLLOWED,
+    GAP,
+    PAUSE,
+    MouthShape,
+    arranged,
+    breath,
+    lead,
+    mouth_shapes,
+)
+from facescript.speech.mouth.visemes import SHAPES, Values
 
 Floats = NDArray[np.float64]
 

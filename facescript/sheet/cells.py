@@ -9,7 +9,7 @@ from facescript.ir.values import Driver
 from facescript.performance.channels import SIDES
 from facescript.resolve.drivers import side_of
 from facescript.resolve.expressions import Expression
-from facescript.speech.visemes import SHAPES, Values
+from facescript.speech.mouth.visemes import SHAPES, Values
 
 YAWS, PITCHES = (-45, -30, -15, 0, 15, 30, 45), (30, 15, 0, -15, -30)
 """Turns of the head, deg: the face's left is the viewer's right."""

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from facescript.ir.acts import Say
+from facescript.speech.espeak.manner import WORDS_A_MINUTE, pitch, rate
 from facescript.speech.lines import Piece, is_han, pieces, words
 from facescript.speech.model import PhoneTime, Spoken, WordTime
 from facescript.speech.readings import check_readings
-from facescript.speech.voices import WORDS_A_MINUTE, pitch, rate
 
 EDGE = 0.05
 """Seconds of quiet around a piece."""

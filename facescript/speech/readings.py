@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from facescript.ir.acts import Say, Stretch
-from facescript.speech.ipa import mnemonics
+from facescript.speech.espeak.manner import MANDARIN
 from facescript.speech.lines import is_letter
+from facescript.speech.mandarin.syllables import numbered
 from facescript.speech.model import VoiceFailure
-from facescript.speech.syllables import numbered
-from facescript.speech.voices import MANDARIN
+from facescript.speech.mouth.ipa import mnemonics
 
 
 def ipa_of(mark: Stretch) -> str | None:

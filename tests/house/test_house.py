@@ -52,4 +52,4 @@ def test_nothing_is_unpickled() -> None:
 
 def test_only_the_worker_is_under_another_licence() -> None:
     named = [path.name for path in MODULES if "GPL-3.0" in path.read_text("utf-8")]
-    assert named == ["espeak_worker.py"]
+    assert named == ["worker.py"]

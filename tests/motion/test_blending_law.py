@@ -34,7 +34,7 @@ from facescript.motion.drivers import ROWS
 from facescript.motion.gaze.track import GazeTrack, eyes
 from facescript.motion.mouth import values
 from facescript.performance.channels import INDEX, MUSCLES, SIDES
-from facescript.speech.mouthing import CLOSING
+from facescript.speech.mouth.mouthing import CLOSING
 
 TIMES = np.arange(0.0, 4.5, 0.001)
 COARSE = np.arange(0.0, 4.5, 0.02)

@@ -18,10 +18,10 @@ from facescript.motion.perform import perform
 from facescript.performance.channels import NAMES
 from facescript.performance.performance import Performance
 from facescript.schedule.score import Score, TimedLine
-from facescript.speech.accents import heard
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.model import Spoken
-from facescript.speech.prosody import HOP
-from facescript.speech.voicebox import open_voice
+from facescript.speech.sound.accents import heard
+from facescript.speech.sound.prosody import HOP
 from facescript.text import Source
 from facescript.world import World
 

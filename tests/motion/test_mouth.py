@@ -15,10 +15,10 @@ from facescript.ir.acts import Say, Voice
 from facescript.motion.mouth import FALL, RISE, MouthTrack
 from facescript.performance.channels import MOUTH
 from facescript.schedule.score import TimedLine
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.model import PhoneTime, Spoken
-from facescript.speech.mouthing import DECAY
-from facescript.speech.visemes import SHAPES
-from facescript.speech.voicebox import open_voice
+from facescript.speech.mouth.mouthing import DECAY
+from facescript.speech.mouth.visemes import SHAPES
 from facescript.text import Source, Span
 
 Floats = NDArray[np.float64]

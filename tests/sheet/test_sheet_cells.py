@@ -14,7 +14,7 @@ from facescript.performance.channels import INDEX, MOUTH
 from facescript.sheet.cells import Cell
 from facescript.sheet.poses import poses
 from facescript.speech.estimate import EstimatedVoice
-from facescript.speech.visemes import SHAPES
+from facescript.speech.mouth.visemes import SHAPES
 from facescript.text import Source
 from facescript.world import World
 

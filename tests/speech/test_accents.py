@@ -9,9 +9,9 @@ import pytest
 from humming import SYLLABLE, hum
 from saying import line, over
 
-from facescript.speech.accents import Accent, heard
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.model import PhoneTime, Spoken
-from facescript.speech.voicebox import open_voice
+from facescript.speech.sound.accents import Accent, heard
 
 SENTENCE = "Tonight we look at bridges, boats and the people who build them."
 

@@ -10,9 +10,9 @@ import pytest
 from saying import line, over, words_of
 
 from facescript.ir.acts import Say, Stretch, Voice
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.estimate import EstimatedVoice
 from facescript.speech.model import VoiceFailure
-from facescript.speech.voicebox import open_voice
 
 FRESH = (
     ("en-us", "Welcome to the museum, where every picture tells a story."),

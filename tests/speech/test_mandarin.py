@@ -6,12 +6,12 @@ import pytest
 from saying import line, over, phones_of, words_of
 
 from facescript.ir.acts import Say, Stretch, Voice
+from facescript.speech.espeak.mandarin import units
+from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.lines import is_han, pieces
-from facescript.speech.mandarin import units
+from facescript.speech.mandarin.numerals import chinese
+from facescript.speech.mandarin.syllables import numbered, shapes, timed
 from facescript.speech.model import VoiceFailure
-from facescript.speech.numerals import chinese
-from facescript.speech.syllables import numbered, shapes, timed
-from facescript.speech.voicebox import open_voice
 
 CHAPTER = (
     ("第一章。长城脚下的孩子。", ()),

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from facescript.speech.mix import FADE, KNEE, soundtrack
 from facescript.speech.model import Spoken
+from facescript.speech.sound.mix import FADE, KNEE, soundtrack
 
 RATE = 22_050
 

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from facescript.speech.prosody import HOP, QUIET, Prosody, prosody
+from facescript.speech.sound.prosody import HOP, QUIET, Prosody, prosody
 
 Floats = NDArray[np.float64]
 

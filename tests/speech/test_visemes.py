@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from facescript.performance.channels import MOUTH
 from facescript.speech.model import PhoneTime
-from facescript.speech.mouthing import GAP, MouthShape, arranged, mouth_shapes
-from facescript.speech.visemes import SHAPES, visemes
+from facescript.speech.mouth.mouthing import GAP, MouthShape, arranged, mouth_shapes
+from facescript.speech.mouth.visemes import SHAPES, visemes
 
 THESIS = {
     # up, dn in MNS0; corners outwards in MW0 (sections 5.2.1 and 5.2.2)

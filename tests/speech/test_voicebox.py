@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 from saying import line, over, phones_of, words_of
 
 from facescript.ir.acts import Say, Stretch, Voice
+from facescript.speech.espeak.parts import LEAD, TAIL
+from facescript.speech.espeak.voicebox import list_voices, open_voice
 from facescript.speech.model import Spoken, VoiceFailure
-from facescript.speech.parts import LEAD, TAIL
-from facescript.speech.voicebox import list_voices, open_voice
 
 pytestmark = pytest.mark.usefixtures("synthesiser")
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from facescript.speech.espeak import WORKER, Espeak, Utterance
+from facescript.speech.espeak.client import WORKER, Espeak, Utterance
 from facescript.speech.model import VoiceFailure
 
 HELLO = Utterance("Pizzerias are convenient for a quick lunch.", "gmw/en-US+f3")

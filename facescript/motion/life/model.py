@@ -15,7 +15,7 @@ from facescript.motion.life.stations import ANNOUNCER, STATIONS, Station
 from facescript.performance.curves import Curve, Pulses, Steps
 from facescript.performance.easing import Easing, smooth
 from facescript.schedule.score import TimedLine
-from facescript.speech.accents import heard
+from facescript.speech.sound.accents import heard
 
 
 @dataclass(frozen=True, slots=True)

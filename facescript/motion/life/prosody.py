@@ -12,8 +12,8 @@ from facescript.motion.life.model import Accented, Living, Moved, accents, moved
 from facescript.performance.curves import Spline
 from facescript.performance.easing import through
 from facescript.schedule.score import TimedLine
-from facescript.speech.accents import heard, loudness, semitones, smoothed
-from facescript.speech.prosody import HOP
+from facescript.speech.sound.accents import heard, loudness, semitones, smoothed
+from facescript.speech.sound.prosody import HOP
 
 BEAT = 3.0
 """How deep a nod on the strongest accent goes with `nods 100%`, deg (ours; heads of speakers turn a few: Graf 2002)."""

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 
-from facescript.speech.espeak import Heard, Sound
+from facescript.speech.espeak.client import Heard, Sound
 from facescript.speech.model import PhoneTime, Spoken, WordTime
-from facescript.speech.visemes import visemes
+from facescript.speech.mouth.visemes import visemes
 
 RATE = 22_050
 """Samples a second of every spoken line."""

@@ -9,7 +9,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from facescript.speech.model import Spoken
-from facescript.speech.prosody import HOP, Floats, Prosody, prosody
+from facescript.speech.sound.prosody import HOP, Floats, Prosody, prosody
 
 SEMITONES, DECIBELS = 4.0, 8.0
 """How far F0 and energy are above their surroundings where a syllable has a prominence of 1 by each alone (ours)."""

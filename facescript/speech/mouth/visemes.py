@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from facescript.speech.ipa import LENGTH, letters
-from facescript.speech.syllables import PREFIX
+from facescript.speech.mandarin.syllables import PREFIX
+from facescript.speech.mouth.ipa import LENGTH, letters
 
 Values = tuple[float, float, float, float, float, float, float, float]
 """open, wide, round, upper, lower, jaw, teeth, tongue: the order and units of the mouth's channels."""

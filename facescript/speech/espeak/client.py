@@ -16,7 +16,7 @@ from typing import IO, Any
 
 from facescript.speech.model import VoiceFailure
 
-WORKER = Path(__file__).with_name("espeak_worker.py")
+WORKER = Path(__file__).with_name("worker.py")
 SECONDS = 40.0
 """A request that takes longer ends the worker; the worker's own watchdog is shorter."""
 

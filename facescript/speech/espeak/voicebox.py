@@ -7,13 +7,13 @@ from functools import cache
 from threading import Lock
 
 from facescript.ir.acts import Say
-from facescript.speech import alphabetic, mandarin
-from facescript.speech.espeak import Espeak
+from facescript.speech.espeak import alphabetic, mandarin
+from facescript.speech.espeak.client import Espeak
+from facescript.speech.espeak.manner import MANDARIN, Voices, voices
+from facescript.speech.espeak.parts import Part, joined, spoken
 from facescript.speech.lines import Piece, pieces
 from facescript.speech.model import Spoken, VoiceBox
-from facescript.speech.parts import Part, joined, spoken
 from facescript.speech.readings import check_readings
-from facescript.speech.voices import MANDARIN, Voices, voices
 
 LARGEST_CACHE = 256 * 1024 * 1024
 """Bytes of sound kept; what was used longest ago goes first."""

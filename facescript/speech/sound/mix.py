@@ -8,8 +8,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.speech.espeak.parts import RATE
 from facescript.speech.model import Spoken
-from facescript.speech.parts import RATE
 
 FADE = 0.02
 """Seconds over which a line that is cut dies away, up to the cut."""

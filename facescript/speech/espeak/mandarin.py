@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from facescript.ir.acts import Stretch, Voice
-from facescript.speech import alphabetic
-from facescript.speech.espeak import Espeak, Sound, Utterance
+from facescript.speech.espeak import alphabetic
+from facescript.speech.espeak.client import Espeak, Sound, Utterance
+from facescript.speech.espeak.manner import Manner, Voices
+from facescript.speech.espeak.parts import RATE, Part, joined, phones, trimmed
 from facescript.speech.lines import Piece, is_han, is_letter
+from facescript.speech.mandarin.numerals import chinese
+from facescript.speech.mandarin.syllables import numbered, timed
 from facescript.speech.model import PhoneTime, VoiceFailure, WordTime
-from facescript.speech.numerals import chinese
-from facescript.speech.parts import RATE, Part, joined, phones, trimmed
-from facescript.speech.syllables import numbered, timed
-from facescript.speech.voices import Manner, Voices
 
 FOREIGN = "en-us"
 """The language of Latin letters inside Mandarin."""

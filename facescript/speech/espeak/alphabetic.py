@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 from itertools import accumulate, pairwise
 
 from facescript.ir.acts import Stretch
-from facescript.speech.espeak import Espeak, Sound, Utterance
-from facescript.speech.ipa import letters, mnemonics
+from facescript.speech.espeak.client import Espeak, Sound, Utterance
+from facescript.speech.espeak.manner import Manner
+from facescript.speech.espeak.parts import RATE, Part, phones, trimmed
 from facescript.speech.lines import CLAUSE_ENDS, Piece, Word, is_han, is_letter, words
 from facescript.speech.model import PhoneTime, VoiceFailure, WordTime
-from facescript.speech.parts import RATE, Part, phones, trimmed
+from facescript.speech.mouth.ipa import letters, mnemonics
 from facescript.speech.readings import ipa_of
-from facescript.speech.voices import Manner
 
 EMPHASIS = "<emphasis level='strong'> ", " </emphasis>"
 """A space inside: espeak-ng reads a tag that touches `]]` aloud."""

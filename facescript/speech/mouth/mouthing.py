@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from facescript.speech.mandarin.syllables import PREFIX
 from facescript.speech.model import PhoneTime
-from facescript.speech.syllables import PREFIX
-from facescript.speech.visemes import Viseme, visemes
+from facescript.speech.mouth.visemes import Viseme, visemes
 
 CLOSING = 0.06
 """Seconds before its burst at which a p or b is shut (45 to 70 ms)."""

@@ -1,0 +1,1 @@
+"""Mandarin: syllables, and their shapes of the mouth."""

@@ -1,0 +1,1 @@
+"""Sounds of speech to shapes of the mouth."""

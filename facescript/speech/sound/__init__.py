@@ -1,0 +1,1 @@
+"""Sound: what is measured in it, and lines mixed to one track."""
