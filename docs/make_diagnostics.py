@@ -17,13 +17,13 @@ from facescript.cli.main import main
 from facescript.compile import compile_source
 from facescript.diagnostics.catalogue import CATALOGUE
 from facescript.diagnostics.catalogue.model import Entry
-from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.estimate import EstimatedVoice
+from facescript.speech.studio import open_studio
 from facescript.text import Source
 from facescript.world import World
 
 PAGE = Path(__file__).with_name("diagnostics.md")
-VOICES = {"check": EstimatedVoice, "build": open_voice}
+VOICES = {"check": lambda world: EstimatedVoice(), "build": open_studio}
 WIDEST, LONGEST = 116, 24
 """Signs of a line and lines of a file that the page shows; the rest is `…`."""
 
@@ -89,7 +89,8 @@ def _sentence(entry: Entry) -> str:
 
 
 def _compiled(entry: Entry, folder: str) -> Iterator[str]:
-    found = compile_source(Source("script.face", entry.bad), World(Path(folder)), VOICES[entry.stage]()).diagnostics
+    world = World(Path(folder))
+    found = compile_source(Source("script.face", entry.bad), world, VOICES[entry.stage](world)).diagnostics
     return (item.message for item in found if item.code == entry.code)
 
 

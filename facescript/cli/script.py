@@ -7,7 +7,7 @@ import argparse
 from facescript.cli.project import open_script
 from facescript.cli.settings import settings
 from facescript.compile import Compiled, compile_source
-from facescript.speech.espeak.voicebox import open_voice
+from facescript.speech.studio import open_studio
 from facescript.world import World
 
 
@@ -15,4 +15,4 @@ def compile_named(options: argparse.Namespace) -> tuple[Compiled, World]:
     """The script `options.script` as far as its score. Raises `WorldFailure`, `OptionFault`."""
     chosen = settings(options)
     source, world = open_script(options.script)
-    return compile_source(source, world, open_voice(), chosen), world
+    return compile_source(source, world, open_studio(world), chosen), world

@@ -134,12 +134,18 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Say:
-    """A line: its text without marks, the marks, the voice, and what happens on its words."""
+    """A line: its text without marks, the marks, the voice, and what happens on its words.
+
+    `recording` is a sound file of the project that is heard instead of the voice (then `text` may be empty), `times` a
+    file that says when its words are.
+    """
 
     text: str
     voice: Voice
     stretches: tuple[Stretch, ...] = ()
     cues: tuple[Cue, ...] = ()
+    recording: str | None = None
+    times: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any
@@ -136,7 +137,7 @@ def _say(project: Project, act: tree.Act, place: Place) -> Node:
     line = Line(project, "say", act.phrases, ROWS["say"], place.scope)
     said, inlines = speech.say(project, line, place, act.more)
     cues = _inline_cues(project, inlines, len(said.text), place) + _word_cues(project, act, said.text, place)
-    return _done(project, Say(said.text, said.voice, said.stretches, cues), face, line, act.span)
+    return _done(project, dataclasses.replace(said, cues=cues), face, line, act.span)
 
 
 def _inline_cues(project: Project, inlines: tuple[Inline, ...], length: int, place: Place) -> tuple[Cue, ...]:

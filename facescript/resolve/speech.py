@@ -1,4 +1,4 @@
-"""`say` to an act: its text, its voice, what only later work runs; and voices as faces have them."""
+"""`say` to an act: its text, its voice, its files; and voices as faces have them."""
 
 from __future__ import annotations
 
@@ -29,22 +29,41 @@ def say(project: Project, line: Line, place: Place, more: tuple[String, ...]) ->
     """A spoken line and the statements between its brackets, which still have to be read. Raises `Refused`."""
     reader = line.reader()
     reader.next()
-    recorded = _later(project, line)
-    pieces, scope = _pieces(project, reader, more, recorded)
+    recording, times = _named(project, line, "from"), _named(project, line, "timed")
+    pieces, scope = _pieces(project, reader, more, recording is not None)
     line.finish(reader)
     voice = spoken_with(project.faces[place.face].voice if place.face in project.faces else Voice(), line)
+    if recording is not None:
+        _as_it_was(project, line)
     if not pieces:
-        return Say("", voice), ()
+        return Say("", voice, recording=recording, times=times), ()
     text = read_text(project, pieces, scope, line.span)
-    return Say(text.plain, voice, text.stretches), text.inlines
+    return Say(text.plain, voice, text.stretches, recording=recording, times=times), text.inlines
 
 
-def _later(project: Project, line: Line) -> bool:
-    """Reports recordings and given times, which this version does not run; whether there is a recording."""
-    for name, code in (("from", "FS801"), ("timed", "FS802")):
+def _named(project: Project, line: Line, modifier: str) -> str | None:
+    """The file of the project that `from` or `timed` names, None where the line has none. Raises `Refused`."""
+    words = line.parts.get(modifier)
+    if words is None:
+        return None
+    if len(words) != 1 or not isinstance(words[0], String):
+        span = line.spans[modifier]
+        raise project.refuse("FS312", span, text=span.text, advice=f'it is written `{modifier} "FILE"`')
+    path = project_path(words[0].span, words[0].value)
+    try:
+        found = project.world.path(path).is_file()
+    except WorldFailure as failure:
+        raise project.refuse("FS701", words[0].span, path=words[0].value, reason=failure.args[0]) from None
+    if not found:
+        raise project.refuse("FS701", words[0].span, path=words[0].value, reason="there is no such file")
+    return path
+
+
+def _as_it_was(project: Project, line: Line) -> None:
+    """A recording is heard as it was spoken: its rate and pitch are not for the script to say."""
+    for name in ("rate", "pitch"):
         if name in line.parts:
-            project.report(code, line.spans[name])
-    return "from" in line.parts
+            project.report("FS506", line.spans[name], name=name)
 
 
 def _pieces(

@@ -93,6 +93,8 @@ class _Scheduler:
             solved = None
         for span, failure in self.voices.failures:
             self.faults.voice(span, failure)
+        for span, doubt in self.voices.doubts:
+            self.faults.add(doubt.code, span, reason=doubt.reason)
         score = None
         if solved is not None and not self.faults.failed:
             self._check(solved)

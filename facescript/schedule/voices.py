@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from facescript.ir.acts import Say
 from facescript.ir.wording import occurrences
-from facescript.speech.model import Spoken, VoiceBox, VoiceFailure, WordTime
+from facescript.speech.model import Doubt, Spoken, VoiceBox, VoiceFailure, WordTime
 from facescript.text import Span
 
 CLOSE = 1e-6
@@ -23,6 +23,7 @@ class Voices:
 
     box: VoiceBox
     failures: list[tuple[Span, VoiceFailure]] = field(default_factory=list)
+    doubts: list[tuple[Span, Doubt]] = field(default_factory=list)
     _spoken: dict[int, Spoken] = field(default_factory=dict)
     _alike: dict[Say, Spoken] = field(default_factory=dict)
     _places: dict[tuple[str, str], tuple[tuple[int, int], ...]] = field(default_factory=dict)
@@ -38,10 +39,12 @@ class Voices:
 
     def _first(self, line: Say, span: Span) -> Spoken:
         try:
-            return self.box.speak(line)
+            spoken = self.box.speak(line)
         except VoiceFailure as failure:
             self.failures.append((span, failure))
             return SILENT
+        self.doubts += ((span, doubt) for doubt in spoken.doubts)
+        return spoken
 
     def word(self, line: Say, span: Span, word: str, nth: int) -> tuple[float, float]:
         """Seconds from the line's start to the start and the end of a word. Raises `ValueError` where the play asks

@@ -36,6 +36,8 @@ class EstimatedVoice:
     rate or pitch beyond every voice."""
 
     def speak(self, line: Say) -> Spoken:
+        if line.recording is not None:
+            return Spoken(b"", 22_050, 0.0, (), (), estimated=True)
         pace = WORDS_A_MINUTE / rate(line.voice.rate)
         pitch(line.voice.pitch)
         check_readings(line)

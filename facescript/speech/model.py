@@ -34,11 +34,20 @@ class PhoneTime:
     stress: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """A warning about a line: the diagnostic's code, and the clause that it carries as its `reason`."""
+
+    code: str
+    reason: str
+
+
 @dataclass(frozen=True, slots=True, weakref_slot=True)
 class Spoken:
     """A line as sound: mono samples (16-bit little-endian bytes) at `rate` Hz, words, phones, seconds.
 
-    `estimated` lines have times but no sound: no voice was started for them.
+    `estimated` lines have times but no sound: no voice was started for them. `doubts` are what the author should know
+    of a line that is spoken all the same.
     """
 
     pcm: bytes
@@ -47,6 +56,7 @@ class Spoken:
     words: tuple[WordTime, ...]
     phones: tuple[PhoneTime, ...]
     estimated: bool = False
+    doubts: tuple[Doubt, ...] = ()
 
 
 class VoiceBox(Protocol):
@@ -59,7 +69,7 @@ class VoiceBox(Protocol):
 
 class VoiceFailure(Exception):
     """A line that cannot be spoken; `args[0]` is a clause for the author, `code` the diagnostic that carries it as
-    its `reason`: FS501 for a voice that does not exist or cannot run, other codes for faults of the text."""
+    its `reason`: FS501 for a voice that does not exist or cannot run, others for faults of the text or of files."""
 
     def __init__(self, reason: str, code: str = "FS501") -> None:
         super().__init__(reason)

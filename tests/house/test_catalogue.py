@@ -12,12 +12,12 @@ from facescript.compile import compile_source
 from facescript.diagnostics.catalogue import CATALOGUE
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.model import Diagnostic, Severity
-from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.estimate import EstimatedVoice
+from facescript.speech.studio import open_studio
 from facescript.text import Source
 from facescript.world import World
 
-VOICES = {"check": EstimatedVoice, "build": open_voice}
+VOICES = {"check": lambda world: EstimatedVoice(), "build": open_studio}
 SCRIPTED = [entry for entry in CATALOGUE.values() if entry.stage in VOICES]
 COMMANDED = [entry for entry in CATALOGUE.values() if entry.stage == "command"]
 
@@ -30,7 +30,8 @@ def diagnostics(entry: Entry, text: str, folder: Path) -> Iterator[Diagnostic]:
     for path, content in entry.files.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(content, "utf-8")
-    yield from compile_source(Source("script.face", text), World(folder), VOICES[entry.stage]()).diagnostics
+    world = World(folder)
+    yield from compile_source(Source("script.face", text), world, VOICES[entry.stage](world)).diagnostics
 
 
 @pytest.mark.parametrize("entry", SCRIPTED, ids=name)

@@ -155,7 +155,8 @@ def verb(item: acts.Verb) -> str:
         return f"{item.kind} {amount(item.degree)} of {mix(item.mix)}{timing(item.timing)}"
     if isinstance(item, acts.Say):
         marks = "".join(f" <{s.kind} {s.start}-{s.end}{' ' + s.value if s.value else ''}>" for s in item.stretches)
-        return f"say {item.text!r} in {voice(item.voice)}{marks}"
+        files = "".join(f" {word} {file}" for word, file in (("from", item.recording), ("timed", item.times)) if file)
+        return f"say {item.text!r} in {voice(item.voice)}{marks}{files}"
     if isinstance(item, acts.Wait):
         return f"wait {amount(item.duration)}"
     if isinstance(item, acts.WaitUntil):

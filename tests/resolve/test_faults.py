@@ -59,7 +59,7 @@ THIRTY = [
     ("background blue", "FS314"),
     ("ada: stop", "FS227"),
     ("bruno: nod", "FS203"),
-    ('ada: say "Hi." from "take.wav"', "FS801"),
+    ('ada: say "Hi." from "take.wav"', "FS701"),
 ]
 
 

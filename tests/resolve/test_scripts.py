@@ -24,10 +24,3 @@ def test_script_is_the_play_beside_it(name: str) -> None:
     if os.environ.get("FACESCRIPT_UPDATE"):
         golden.write_text(found, "utf-8")
     assert found == golden.read_text("utf-8")
-
-
-def test_what_only_later_versions_run_is_refused_by_its_own_codes() -> None:
-    recorded = resolved((SCRIPTS / "recorded.face").read_text("utf-8"), SCRIPTS)[1]
-    story = resolved((SCRIPTS / "story.face").read_text("utf-8"), SCRIPTS)[1]
-    assert [item.code for item in recorded] == ["FS801"] * 4 + ["FS802"]
-    assert not story.items

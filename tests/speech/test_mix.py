@@ -92,5 +92,5 @@ def test_blocks_make_no_difference(monkeypatch: pytest.MonkeyPatch) -> None:
     """A long film is mixed a piece at a time; nobody can hear where the pieces meet."""
     lines = (Line(0.2, tone(9000, 1.1)), Line(0.9, tone(20000, 0.7), cut=1.3), Line(1.25, tone(-8000, 0.4, 16000)))
     whole = track(*lines)
-    monkeypatch.setattr("facescript.speech.mix.BLOCK", 997)
+    monkeypatch.setattr("facescript.speech.sound.mix.BLOCK", 997)
     assert np.array_equal(track(*lines), whole)

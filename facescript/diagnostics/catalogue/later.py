@@ -7,23 +7,6 @@ from facescript.diagnostics.model import Severity
 
 LATER: tuple[Entry, ...] = (
     Entry(
-        "FS801",
-        "later-recording",
-        Severity.ERROR,
-        "Speaking with a recording (`from`) is part of the language and not in this version.",
-        'say "Hello." from "take.wav"\n',
-        'say "Hello."\n',
-        "A recording with its transcript, or alone.",
-    ),
-    Entry(
-        "FS802",
-        "later-timed",
-        Severity.ERROR,
-        "Word times from a file (`timed`) are part of the language and not in this version.",
-        'say "Hello." timed "take.TextGrid"\n',
-        'say "Hello."\n',
-    ),
-    Entry(
         "FS803",
         "later-play",
         Severity.ERROR,

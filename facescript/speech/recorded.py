@@ -1,0 +1,22 @@
+"""A line with a recording or a file of times to speech: where its words are, and how its mouth moves."""
+
+from __future__ import annotations
+
+from facescript.ir.acts import Say
+from facescript.speech.model import Spoken, VoiceBox, VoiceFailure
+from facescript.speech.sound.recording import UNUSABLE, Recording, read_recording
+from facescript.world import World, WorldFailure
+
+
+def recorded(line: Say, world: World, voice: VoiceBox) -> Spoken:
+    """The line as its files have it. Raises `VoiceFailure` (FS504) for files that cannot be used."""
+    assert line.recording is not None
+    sound = _read(world, line.recording)
+    return Spoken(sound.samples.tobytes(), sound.rate, sound.duration, (), ())
+
+
+def _read(world: World, name: str) -> Recording:
+    try:
+        return read_recording(world.path(name))
+    except WorldFailure as failure:
+        raise VoiceFailure(failure.args[0], UNUSABLE) from None

@@ -1,0 +1,27 @@
+"""Lines of a project to speech: by its voice, or by the recordings and the files of times that lines name."""
+
+from __future__ import annotations
+
+from facescript.ir.acts import Say
+from facescript.speech.espeak.voicebox import open_voice
+from facescript.speech.model import Spoken, VoiceBox
+from facescript.world import World
+
+
+class Studio:
+    """A `VoiceBox` for a project: what a line names is read from `world`, all else is spoken by `voice`."""
+
+    def __init__(self, world: World, voice: VoiceBox) -> None:
+        self._world, self._voice = world, voice
+
+    def speak(self, line: Say) -> Spoken:
+        if line.recording is None and line.times is None:
+            return self._voice.speak(line)
+        from facescript.speech.recorded import recorded  # numpy: only lines with files pay it
+
+        return recorded(line, self._world, self._voice)
+
+
+def open_studio(world: World) -> VoiceBox:
+    """The default voice, and the files of a project."""
+    return Studio(world, open_voice())
