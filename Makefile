@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: setup demo test lint bench motion sheets docs clean
+.PHONY: setup demo test lint bench motion speech sheets docs clean
 
 setup: $(VENV)/.ready
 
@@ -36,6 +36,9 @@ bench: setup
 
 motion: setup
 	$(BIN)/python benchmarks/motion
+
+speech: setup
+	$(BIN)/python benchmarks/speech
 
 # After a change that is meant: look at the pages in build/sheets before the new sheets are committed.
 sheets: setup
