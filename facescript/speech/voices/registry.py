@@ -33,7 +33,11 @@ class Row:
 
 ENGINES = {
     row.name: row
-    for row in (Row(USUAL, "facescript.speech.espeak.engine:open_espeak", "the usual voice, of a hundred languages"),)
+    for row in (
+        Row(USUAL, "facescript.speech.espeak.engine:open_espeak", "espeak-ng, the usual voice of a hundred languages"),
+        Row("flite", "facescript.speech.flite.engine:open_flite", "English voices of the program flite"),
+        Row("piper", "facescript.speech.piper.engine:open_piper", "a voice that you bring, an .onnx file", files=True),
+    )
 }
 
 
@@ -52,5 +56,5 @@ def open_engine(name: str, world: World) -> Engine:
     row = ENGINES.get(name) or engines().get(name)
     if row is None:
         there = ", ".join(f"`{known}`" for known in engines())
-        raise VoiceFailure(f"there is no `{name}`; there are {there}", "FS508")
+        raise VoiceFailure(f"`{name}`; there are {there}", "FS508")
     return row.load()(world)

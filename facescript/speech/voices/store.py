@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 from dataclasses import astuple, replace
 from functools import cache
 from pathlib import Path
@@ -20,8 +19,8 @@ ROOM = Room("spoken", largest=128 << 20, bound=512 << 20)
 def key_of(line: Say, identity: str) -> str:
     """The name under which a line is kept: a digest over its text, its marks, its voice, the engine's `identity`, and
     the sources that made it."""
-    said = (line.text, [astuple(mark) for mark in line.stretches], astuple(replace(line.voice, volume=1.0)))
-    return hashlib.sha256(json.dumps([said, identity, _sources()]).encode()).hexdigest()[:40]
+    made_from = (line.text, line.stretches, replace(line.voice, volume=1.0), identity, _sources())
+    return hashlib.sha256(repr(made_from).encode()).hexdigest()[:40]
 
 
 def known(line: Say, identity: str) -> Spoken | None:
