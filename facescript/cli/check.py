@@ -24,5 +24,5 @@ def run(options: argparse.Namespace) -> int:
         except WorldFailure as fault:
             found.append(diagnose("FS901", None, name=name, reason=fault.args[0]))
             continue
-        found.extend(compile_source(source, world, EstimatedVoice(), chosen).diagnostics)
+        found.extend(compile_source(source, world, EstimatedVoice(world), chosen).diagnostics)
     return show_json(found) if options.json else show(found)

@@ -121,12 +121,13 @@ class Cue:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause" or "reading".
+    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause", "reading" or "mark".
 
-    `value` is a pause's seconds as text or a reading as written; a breath and a pause have start == end.
+    `value` is a pause's seconds as text, a reading as written, or the name of a mark; a breath, a pause and a mark have
+    start == end.
     """
 
-    kind: Literal["stress", "breath", "pause", "reading"]
+    kind: Literal["stress", "breath", "pause", "reading", "mark"]
     start: int
     end: int
     value: str = ""
