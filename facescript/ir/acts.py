@@ -98,13 +98,19 @@ class Gesture:
 
 @dataclass(frozen=True, slots=True)
 class Voice:
-    """How a line sounds: `language` as espeak-ng names it, `variant` (female, male or a voice's), factors of 1."""
+    """How a line sounds: `language` as espeak-ng names it, and factors of 1, `range` how far the melody swings.
+
+    `variant` is female, male or a variant of espeak-ng; of another `engine`, its voice's name or its file in the
+    project.
+    """
 
     language: str = "en-us"
     variant: str = ""
     rate: float = 1.0
     pitch: float = 1.0
     volume: float = 1.0
+    range: float = 1.0
+    engine: str = "espeak"
 
 
 @dataclass(frozen=True, slots=True)
