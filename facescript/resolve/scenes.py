@@ -46,7 +46,8 @@ def scenes(project: Project, script: tree.Script, opening: Opening) -> list[Scen
             continue
         cast = _cast(project, item)
         body = _body(project, item.body, f"{name}.", cast, item.span)
-        found[name] = Scene(name, cast, body, item.span, opening.background, opening.view)
+        title = item.title.value.strip() if item.title is not None else ""
+        found[name] = Scene(name, cast, body, item.span, opening.background, opening.view, title)
     return list(found.values())
 
 

@@ -57,4 +57,13 @@ SPEECH: tuple[Entry, ...] = (
         "`volume` is for both.",
         files={"take.wav": "not sound"},
     ),
+    Entry(
+        "FS535",
+        "link-address",
+        Severity.ERROR,
+        "“{address}” is no address for a link: {reason}.",
+        'link "www.example.org" "About lakes"\nnod\n',
+        'link "https://www.example.org" "About lakes"\nnod\n',
+        "A link leads to a page (`https://`, `http://`) or to somebody's post box (`mailto:`).",
+    ),
 )
