@@ -15,7 +15,7 @@ from facescript.speech.lines import Piece, pieces
 from facescript.speech.model import Spoken, VoiceBox
 from facescript.speech.readings import check_readings
 
-LARGEST_CACHE = 256 * 1024 * 1024
+LARGEST_CACHE = 64 * 1024 * 1024
 """Bytes of sound kept; what was used longest ago goes first."""
 
 
