@@ -14,6 +14,7 @@ from facescript.resolve.reader import Reader
 from facescript.resolve.scope import expand, inside
 from facescript.resolve.suggest import replace
 from facescript.resolve.sums import left_over
+from facescript.resolve.texts import bare_text
 from facescript.resolve.words import NOTHING
 from facescript.syntax.tree import Dotted, Name, String
 from facescript.text import Span
@@ -84,7 +85,7 @@ def _text(project: Project, reader: Reader, advice: str) -> tuple[str, Span]:
     """A text in quotes, or the one that a name or a cell stands for, and where it is written. Raises `Refused`."""
     word = reader.next()
     if isinstance(word, String):
-        return word.value.strip(), word.span
+        return bare_text(word), word.span
     expansion = expand(project, word, reader.scope) if isinstance(word, Name | Dotted) else None
     if word is None or expansion is None:
         raise _no_text(project, word.span if word is not None else reader.span, advice)

@@ -12,6 +12,7 @@ from facescript.resolve.scope import GLOBAL
 from facescript.resolve.suggest import nearest
 from facescript.resolve.suggest import replace as written_as
 from facescript.resolve.sums import number
+from facescript.resolve.texts import bare_text
 from facescript.resolve.units import COUNT, FRAMES, LENGTH, SHARE, TIME, UNITS
 from facescript.resolve.words import FILM
 from facescript.syntax.tree import Integer, Name, Quantity, Setting, Size, String, Word
@@ -111,9 +112,9 @@ def _whole(project: Project, words: tuple[Word, ...], span: Span) -> int:
 
 
 def _text(project: Project, name: str, words: tuple[Word, ...], span: Span) -> str:
-    if len(words) != 1 or not isinstance(words[0], String) or not words[0].value.strip():
+    if len(words) != 1 or not isinstance(words[0], String) or not bare_text(words[0]):
         raise project.refuse("FS312", span, text=span.text, advice=f'it is written `{name} "TEXT"`')
-    return words[0].value.strip()
+    return bare_text(words[0])
 
 
 def _screen(project: Project, words: tuple[Word, ...], span: Span) -> float:
