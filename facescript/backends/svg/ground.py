@@ -145,7 +145,7 @@ def picture_kind(data: bytes) -> str:
     return next((kind for first, kind in KINDS.items() if data.startswith(first)), "application/octet-stream")
 
 
-def _address(data: bytes) -> str:
+def photo_address(data: bytes) -> str:
     """A picture's bytes as an address that holds them."""
     return f"data:{picture_kind(data)};base64,{base64.b64encode(data).decode('ascii')}"
 
@@ -155,5 +155,5 @@ def photo_element(photo: Photo, data: bytes, size: tuple[int, int]) -> etree._El
     box = {"width": str(size[0]), "height": str(size[1])}
     group = svg("g", id=photo_name(photo))
     group.append(svg("rect", fill="#ffffff", **box))
-    group.append(svg("image", href=_address(data), preserveAspectRatio="xMidYMid slice", **box))
+    group.append(svg("image", href=photo_address(data), preserveAspectRatio="xMidYMid slice", **box))
     return group
