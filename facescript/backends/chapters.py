@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from facescript.backends.job import Job
+from facescript.backends.page.document import called, titled
 from facescript.backends.page.words import Line, lines
 from facescript.ir.acts import AddLink, SetPicture
 from facescript.ir.play import MAIN
@@ -37,25 +38,20 @@ class Chapter:
         return self.end - self.start
 
 
-def chapters(job: Job, title: str) -> list[Chapter]:
-    """The scenes of a job's stretch that last; the only scene of a script without `scene` bears the book's `title`."""
+def chapters(job: Job) -> list[Chapter]:
+    """The scenes of a job's stretch that last."""
     found = []
     for number, scene in enumerate(job.score.scenes):
         start, end = max(scene.start, job.start), min(scene.end, job.end)
         if start < end:
             said = tuple(lines(job.score, start, end))
-            found.append(Chapter(_titled(scene, title), start, end, said, _beside(job, number, start, end)))
+            found.append(Chapter(_titled(job, scene), start, end, said, _beside(job, number, start, end)))
     return found
 
 
-def called(name: str) -> str:
-    """A name of the script as people write it."""
-    words = name.replace("_", " ").replace("-", " ").strip()
-    return words[:1].upper() + words[1:]
-
-
-def _titled(scene: TimedScene, title: str) -> str:
-    return scene.title or (title if scene.name == MAIN else called(scene.name))
+def _titled(job: Job, scene: TimedScene) -> str:
+    """A scene's title or its name; the only scene of a script without `scene` is called as the book is."""
+    return scene.title or (titled(job) if scene.name == MAIN else called(scene.name))
 
 
 def _beside(job: Job, scene: int, start: float, end: float) -> tuple[Beside, ...]:

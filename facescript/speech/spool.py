@@ -55,7 +55,7 @@ class Spool:
 
     def _put(self, sound: bytes) -> Kept:
         if self._file is None:
-            self._file = tempfile.TemporaryFile(prefix="facescript-")
+            self._file = tempfile.TemporaryFile(prefix="facescript-")  # noqa: SIM115 (open while sound is kept)
         with LOCK:
             self._file.seek(self._size)
             self._file.write(sound)

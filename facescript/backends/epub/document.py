@@ -11,17 +11,18 @@ from uuid import UUID
 
 import numpy as np
 
-from facescript.backends.chapters import Chapter, called, chapters
+from facescript.backends.chapters import Chapter, chapters
 from facescript.backends.epub import names
 from facescript.backends.epub.archive import Archive
 from facescript.backends.epub.chapter import Setting, chapter_page
 from facescript.backends.epub.overlay import overlay_document
 from facescript.backends.epub.package import CONTAINER, Description, Item, navigation, package_document
 from facescript.backends.job import Job
+from facescript.backends.page.document import called, titled
+from facescript.backends.page.sound import write_mp3
 from facescript.backends.page.words import html_language
 from facescript.backends.stills import written
 from facescript.backends.svg.ground import picture_kind
-from facescript.backends.svg.sound import write_mp3
 from facescript.backends.svg.telling import telling_moment
 from facescript.ir.acts import SetPicture
 from facescript.pictures import opened
@@ -37,15 +38,9 @@ XHTML, SMIL, MP3, PNG = "application/xhtml+xml", "application/smil+xml", "audio/
 
 def write_epub(job: Job, path: Path) -> None:
     """The book of a job's stretch, the same bytes each time. Raises `JobFailure`."""
-    found = chapters(job, title(job))
+    found = chapters(job)
     with Archive(path) as archive, tempfile.TemporaryDirectory(prefix="facescript-") as folder:
         _Writer(job, found, archive, Path(folder)).write()
-
-
-def title(job: Job) -> str:
-    """The title that the script gives the film, or the script's name in words."""
-    name = job.score.acts[0].span.source.name if job.score.acts else "FaceScript"
-    return job.score.film.title or called(Path(name).stem)
 
 
 class _Writer:
@@ -66,7 +61,7 @@ class _Writer:
             self._chapter(number, chapter, setting)
             self._job.progress(number, len(self._chapters))
         titles = [chapter.title for chapter in self._chapters]
-        told = navigation(title(self._job), self._languages[0], titles)
+        told = navigation(titled(self._job), self._languages[0], titles)
         self._text(Item("nav", names.NAVIGATION, XHTML, "nav"), told)
         self._package()
 
@@ -75,7 +70,8 @@ class _Writer:
         if any(line.words for line in chapter.lines):
             overlay = f"overlay-{number}"
             file = self._folder / names.sound(number)
-            write_mp3(self._job.sound.between(chapter.start, chapter.end), file)
+            sound = self._job.sound.between(chapter.start, chapter.end)
+            write_mp3(sound.blocks(), sound.rate, file)
             self._put(Item(f"sound-{number}", names.sound(number), MP3), file)
             document = overlay_document(chapter, names.page(number), names.sound(number))
             self._text(Item(overlay, names.overlay(number), SMIL), document)
@@ -105,7 +101,7 @@ class _Writer:
     def _package(self) -> None:
         identifier = UUID(bytes=self._archive.digest()[:16], version=5)
         film = self._job.score.film
-        book = Description(title(self._job), film.author, str(identifier), self._languages, self._durations)
+        book = Description(titled(self._job), film.author, str(identifier), self._languages, self._durations)
         spine = [f"chapter-{number}" for number in range(1, len(self._chapters) + 1)]
         self._archive.put(f"EPUB/{names.PACKAGE}", package_document(book, self._items, spine).encode())
 
@@ -127,8 +123,8 @@ def _smaller(job: Job) -> Stage:
     """The job's stage in a size that suits the page of a book."""
     film = job.score.film
     share = min(1.0, WIDEST / film.width)
-    size = {"width": max(1, round(film.width * share)), "height": max(1, round(film.height * share))}
-    return Stage(replace(job.score, film=replace(film, **size)), job.performance, job.pictures)
+    film = replace(film, width=round(film.width * share), height=round(film.height * share))
+    return Stage(replace(job.score, film=film), job.performance, job.pictures)
 
 
 def _beside(found: Sequence[Chapter]) -> list[str]:
