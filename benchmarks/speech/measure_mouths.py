@@ -18,7 +18,7 @@ from facescript.compile import compile_source
 from facescript.ir.acts import Say, Voice
 from facescript.motion.mouth import MouthTrack
 from facescript.motion.perform import perform
-from facescript.performance.channels import INDEX, MOUTH
+from facescript.performance.channels import INDEX
 from facescript.performance.performance import Frames
 from facescript.rig.cartoon.face import CartoonRig
 from facescript.rig.rigs import rig

@@ -209,7 +209,40 @@ class SetLife:
     over: Amount = 0.0
 
 
-Verb = Look | Glance | Scan | Show | Add | Drop | Gesture | Say | Wait | WaitUntil | SetBackground | View | SetLife
+@dataclass(frozen=True, slots=True)
+class SetPicture:
+    """The picture beside the face in a book: its path inside the project, None for none; `caption` is also said in
+    its place."""
+
+    picture: str | None
+    caption: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class AddLink:
+    """A link beside the face in a book from here to the scene's end: an http, https or mailto address, and its text."""
+
+    address: str
+    text: str
+
+
+Verb = (
+    Look
+    | Glance
+    | Scan
+    | Show
+    | Add
+    | Drop
+    | Gesture
+    | Say
+    | Wait
+    | WaitUntil
+    | SetBackground
+    | View
+    | SetLife
+    | SetPicture
+    | AddLink
+)
 
 # ------------------------------------------------------------------------------------------------ blocks
 

@@ -144,6 +144,10 @@ def test_any_row_of_phones_leaves_room_to_move(row: list[tuple[str, float, bool]
         if phone.symbol in ("p", "b"):
             assert any(shape.name == "m" and shape.on - 1e-9 <= phone.start <= shape.off + 1e-9 for shape in shapes)
         if phone.symbol == "zh:m":
-            assert any(shape.name == "m" and shape.on <= phone.end - 0.059 and shape.off >= phone.end for shape in shapes)
+            assert any(
+                shape.name == "m" and shape.on <= phone.end - 0.059 and shape.off >= phone.end for shape in shapes
+            )
         if phone.symbol == "m":
-            assert any(shape.name == "m" and shape.on <= phone.start + 0.016 and shape.off >= phone.end for shape in shapes)
+            assert any(
+                shape.name == "m" and shape.on <= phone.start + 0.016 and shape.off >= phone.end for shape in shapes
+            )

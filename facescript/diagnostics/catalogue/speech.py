@@ -137,4 +137,13 @@ SPEECH: tuple[Entry, ...] = (
         "The voice is that of the face.",
         files={"hello.ssml": '<speak xml:lang="fr">Bonjour.</speak>'},
     ),
+    Entry(
+        "FS535",
+        "link-address",
+        Severity.ERROR,
+        "“{address}” is no address for a link: {reason}.",
+        'link "www.example.org" "About lakes"\nnod\n',
+        'link "https://www.example.org" "About lakes"\nnod\n',
+        "A link leads to a page (`https://`, `http://`) or to somebody's post box (`mailto:`).",
+    ),
 )

@@ -159,7 +159,9 @@ def _consonant(viseme: Viseme, start: float, length: float, closing: float, effo
     if name == "m":
         return MouthShape("m", start, end)
     if name == "f":
-        return MouthShape("f", start + 0.1 * length, end - 0.3 * length, slack=0.3 * length, yields=0.3 * length, trim=0.1 * length)
+        return MouthShape(
+            "f", start + 0.1 * length, end - 0.3 * length, slack=0.3 * length, yields=0.3 * length, trim=0.1 * length
+        )
     if viseme.kind == "stop":
         return MouthShape(name, start - GAP, start, degree, effort=effort, own=own)
     return MouthShape(name, start + 0.1 * length, end - 0.3 * length, degree, effort=effort, own=own)
@@ -168,7 +170,7 @@ def _consonant(viseme: Viseme, start: float, length: float, closing: float, effo
 def _falls_away(viseme: Viseme, after: PhoneTime | None, table: Table) -> bool:
     """The thesis's rule for h' and h (section 5.2.2): they leave no shape before i, u, e and o. Where the tongue is seen,
     as for l and n, it stays."""
-    quick = viseme.kind == "stop" and viseme.shape == "h'" or viseme.kind != "vowel" and viseme.shape == "h"
+    quick = (viseme.kind == "stop" and viseme.shape == "h'") or (viseme.kind != "vowel" and viseme.shape == "h")
     if not quick or not after or not after.symbol:
         return False
     found = table.visemes(after.symbol)

@@ -70,7 +70,9 @@ def _made_room(last: MouthShape, shape: MouthShape, earlier: float) -> tuple[Mou
     for off, on in ((last.off, shape.on), (least, shape.on), (last.off, latest), (least, latest)):
         if off + GAP <= on:
             on = max(shape.on, off + GAP)
-            return replace(last, off=max(last.on, min(last.off, on - GAP))), replace(shape, on=on, off=max(shape.off, on))
+            return replace(last, off=max(last.on, min(last.off, on - GAP))), replace(
+                shape, on=on, off=max(shape.off, on)
+            )
     moved = latest - GAP
     if not last.closed and earlier + GAP <= moved:
         return replace(last, on=moved, off=moved), replace(shape, on=latest, off=max(shape.off, latest))
