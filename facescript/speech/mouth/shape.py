@@ -28,9 +28,9 @@ WIDEST_JAW = 1.0
 class MouthShape:
     """A shape of `visemes.SHAPES`, or of an author (`own`), at a degree, fully there from `on` to `off` (seconds).
 
-    Before `on` the mouth comes from the shape before, after `off` it goes to the next. For a closure's sake `on` may come
-    `slack` seconds later, beside another one `yields` later, and `off` `trim` earlier. `effort` is how far the jaw goes, 1 as usual. A `vowel` holds every axis; a consonant
-    leaves some to it, unless it is `exact`.
+    Before `on` the mouth comes from the shape before, after `off` it goes to the next. Of a closure, `on` may come
+    `slack` seconds later, beside another one `yields` later, and `off` `trim` earlier. `effort` is how far the jaw
+    goes, 1 as usual. A `vowel` holds every axis; a consonant leaves some to it, unless it is `exact`.
     """
 
     name: str
@@ -48,6 +48,15 @@ class MouthShape:
     def later(self, seconds: float, limit: float) -> MouthShape:
         """The shape moved by `seconds`, no longer there at `limit`."""
         return replace(self, on=self.on + seconds, off=min(self.off + seconds, limit))
+
+    def begun(self, on: float) -> MouthShape:
+        """The shape there from `on` at the earliest."""
+        less = on - self.on
+        return replace(self, on=on, off=max(self.off, on), slack=self.slack - less, yields=self.yields - less)
+
+    def ended(self, off: float) -> MouthShape:
+        """The shape there up to `off`."""
+        return replace(self, off=off, trim=self.trim - (self.off - off))
 
     @property
     def closed(self) -> bool:
