@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from facescript.ir.acts import Say
 from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.model import Spoken, VoiceBox
@@ -15,11 +17,26 @@ class Studio:
         self._world, self._voice = world, voice
 
     def speak(self, line: Say) -> Spoken:
+        return _stressed(self._spoken(line), line)
+
+    def _spoken(self, line: Say) -> Spoken:
         if line.recording is None and line.times is None:
             return self._voice.speak(line)
         from facescript.speech.recorded import recorded  # numpy: only lines with files pay it
 
         return recorded(line, self._world, self._voice)
+
+
+def _stressed(spoken: Spoken, line: Say) -> Spoken:
+    """The line with the words marked that its text stresses, whatever has spoken it."""
+    marks = [(mark.start, mark.end) for mark in line.stretches if mark.kind == "stress"]
+    if not marks:
+        return spoken
+    words = (
+        replace(word, stress=any(word.first < end and start < word.last for start, end in marks))
+        for word in spoken.words
+    )
+    return replace(spoken, words=tuple(words))
 
 
 def open_studio(world: World) -> VoiceBox:

@@ -83,8 +83,8 @@ SPEECH: tuple[Entry, ...] = (
         "No mouth shape is known for the sound `{sound}`; the mouth takes a middle one.",
         'say "Oh."\n',
         'viseme "ꙮ" = "o"\n\nsay "Oh."\n',
-        "A voice that an author brings, or a file of times, has a sound that the table of visemes does not: a definition "
-        'such as `viseme "ꙮ" = "o"` says what the mouth does. All voices of espeak-ng are in the table.',
+        "A voice that an author brings, or a file of times, has a sound that the table of visemes does not: a "
+        'definition such as `viseme "ꙮ" = "o"` says what the mouth does. All voices of espeak-ng are in the table.',
         stage="unforced",
     ),
 )
