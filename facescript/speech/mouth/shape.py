@@ -73,7 +73,7 @@ class MouthShape:
         opened, wide, rounded, upper, lower, jaw, teeth, tongue = self.own or SHAPES[self.name]
         further = self.degree * self.effort
         sunk = lower * (further if lower > 0.0 else self.degree)
-        gap = max(self.degree * opened + sunk - self.degree * lower, 0.0)
+        gap = max(self.degree * opened + (sunk - self.degree * lower), 0.0)
         moved = min(further * jaw, WIDEST_JAW)
         return gap, self.degree * wide, self.degree * rounded, self.degree * upper, sunk, moved, teeth, tongue
 
