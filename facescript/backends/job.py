@@ -18,17 +18,13 @@ from facescript.ir.play import Play
 from facescript.motion.perform import perform
 from facescript.performance.performance import Performance
 from facescript.schedule.score import Score
-from facescript.speech.sound.mix import soundtrack
+from facescript.speech.sound.mix import Soundtrack, soundtrack
 
 if TYPE_CHECKING:
     from facescript.stage.stage import Stage
 
 Progress = Callable[[int, int], None]
 """Called with (done, total) as frames are made."""
-
-Sound = tuple[NDArray[np.int16], int]
-"""Mono samples and their rate in Hz."""
-
 
 MOST_HANDS = 8
 """Processes that are started without being asked for, at most."""
@@ -71,8 +67,8 @@ class Job:
         return Stage(self.score, self.performance, self.pictures)
 
     @cached_property
-    def sound(self) -> Sound:
-        """The soundtrack of the whole film."""
+    def sound(self) -> Soundtrack:
+        """The soundtrack of the whole film: mixed when and as far as it is asked for."""
         return soundtrack(self.score)
 
     def hands(self) -> int:
@@ -85,12 +81,9 @@ class Job:
         return self.score.film.fps
 
     @property
-    def heard(self) -> Sound:
+    def heard(self) -> Soundtrack:
         """The soundtrack from `start` to `end`, exactly that long."""
-        samples, rate = self.sound
-        first, last = round(self.start * rate), round(self.end * rate)
-        cut = samples[first:last]
-        return np.pad(cut, (0, last - first - len(cut))), rate
+        return self.sound.between(self.start, self.end)
 
     def spoken(self) -> list[tuple[str, str]]:
         """Who says what, in time order: (face, text)."""

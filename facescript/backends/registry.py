@@ -44,6 +44,7 @@ BACKENDS = (
     Backend(".csv", "facescript.backends.tables:write_csv", "table: time and every channel"),
     Backend(".jsonl", "facescript.backends.tables:write_jsonl", "lines of JSON: time and every channel"),
     Backend(".wav", "facescript.backends.wav:write_wav", "the sound alone"),
+    Backend(".epub", "facescript.backends.epub.document:write_epub", "book with sound and the times of its words"),
     Backend(".json", "facescript.backends.play:write_json", "the resolved play and its solved times"),
 )
 

@@ -94,10 +94,10 @@ def assembled(job: Job, template: str, parts: Mapping[str, str], folder: str = "
 
 
 def titled(job: Job) -> str:
-    """The title that was given, or the script's name in words."""
+    """The title that was given, with the page or in the script, or the script's name in words."""
     acts = job.score.acts
     name = acts[0].span.source.name if acts else "FaceScript"
-    return job.page.title or called(PurePosixPath(name).stem)
+    return job.page.title or job.score.film.title or called(PurePosixPath(name).stem)
 
 
 def called(name: str) -> str:
@@ -124,8 +124,8 @@ def _face(job: Job, title: str) -> str:
 
 
 def _sound(job: Job) -> bytes | None:
-    samples, rate = job.heard
-    return mp3(samples, rate) if samples.any() else None
+    heard = job.heard
+    return None if heard.silent else mp3(heard.blocks(), heard.rate)
 
 
 def _within(sound: bytes | None, moved: Motion) -> tuple[str, dict[str, bytes], str]:

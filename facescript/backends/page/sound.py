@@ -16,9 +16,6 @@ Samples = NDArray[np.int16]
 OPTIONS = ("-c:a", "libmp3lame", "-b:a", "64k", "-map_metadata", "-1", "-flags", "+bitexact", "-fflags", "+bitexact")
 """A constant rate, so that a player finds any moment by reckoning; the file's head tells of the encoder's delay."""
 
-BLOCK = 1 << 20
-"""Samples handed over at once."""
-
 
 def write_mp3(blocks: Iterable[Samples], rate: int, path: Path) -> None:
     """Mono samples to a file, at 64 kbit a second. Raises `JobFailure`."""
@@ -28,9 +25,9 @@ def write_mp3(blocks: Iterable[Samples], rate: int, path: Path) -> None:
             encoder.write(np.ascontiguousarray(block, dtype="<i2").view(np.uint8))
 
 
-def mp3(samples: Samples, rate: int) -> bytes:
+def mp3(blocks: Iterable[Samples], rate: int) -> bytes:
     """Mono samples as an MP3 file's bytes. Raises `JobFailure`."""
     with tempfile.TemporaryDirectory(prefix="facescript-") as folder:
         path = Path(folder) / "sound.mp3"
-        write_mp3((samples[at : at + BLOCK] for at in range(0, len(samples), BLOCK)), rate, path)
+        write_mp3(blocks, rate, path)
         return path.read_bytes()

@@ -9,6 +9,7 @@ from html import escape
 from facescript.ir.acts import Say
 from facescript.schedule.score import Score, TimedLine
 from facescript.speech.model import WordTime
+from facescript.text import Span
 
 LONGEST = 84
 """Columns of a caption; a sign of Chinese, Japanese or Korean fills two."""
@@ -43,11 +44,13 @@ class Line:
 def lines(score: Score, start: float, end: float) -> list[Line]:
     """The lines heard between two moments of the film, in time order. Lines without text are left out."""
     found = []
+    acts = _acts(score)
     for line in score.lines:
-        act = _act(score, line)
-        if act is None or not act[0].text.strip() or line.end <= start or line.start >= end:
+        if line.end <= start or line.start >= end:
             continue
-        say, scene = act
+        say, scene = _act(acts, line)
+        if not say.text.strip():
+            continue
         ends = min(line.end, end)
         words = tuple(
             WordTime(word.text, word.first, word.last, at - start, min(line.start + word.end, ends) - start)
@@ -62,16 +65,18 @@ def lines(score: Score, start: float, end: float) -> list[Line]:
 def transcript(said: Sequence[Line], titles: dict[str, str]) -> str:
     """The lines as paragraphs; with the faces' `titles` in front where several speak. All text is escaped."""
     several = len({line.face for line in said}) > 1
-    parts = []
-    for line in said:
-        who = f'<span class="fs-who">{escape(titles.get(line.face, line.face))}</span> ' if several else ""
-        button = (
-            f'<button class="fs-from" type="button" data-start="{line.start:.3f}" '
-            f'aria-label="Play from {clock(line.start)}">{clock(line.start)}</button>'
-        )
-        words = "".join(_marked(line))
-        parts.append(f'<p class="fs-line" lang="{escape(line.language)}">{button}{who}<bdi>{words}</bdi></p>')
-    return "\n".join(parts)
+    return "\n".join(paragraph(line, titles.get(line.face, line.face) if several else "") for line in said)
+
+
+def paragraph(line: Line, speaker: str) -> str:
+    """A line with a button that plays it, and its `speaker` in front where one is named. All text is escaped."""
+    who = f'<span class="fs-who">{escape(speaker)}</span> ' if speaker else ""
+    button = (
+        f'<button class="fs-from" type="button" data-start="{line.start:.3f}" '
+        f'aria-label="Play from {clock(line.start)}">{clock(line.start)}</button>'
+    )
+    words = "".join(_marked(line))
+    return f'<p class="fs-line" lang="{escape(line.language)}">{button}{who}<bdi>{words}</bdi></p>'
 
 
 def clock(seconds: float) -> str:
@@ -87,15 +92,22 @@ def html_language(voice: str) -> str:
     return "-".join([LANGUAGES.get(first, first), *(part.upper() if len(part) == 2 else part for part in rest)])
 
 
-def _act(score: Score, line: TimedLine) -> tuple[Say, int] | None:
+Said = dict[tuple[str, Span], list[tuple[float, Say, int]]]
+"""What is said by whom from which place in the script: when, what, and in which scene."""
+
+
+def _acts(score: Score) -> Said:
+    found: Said = {}
+    for act in score.acts:
+        if isinstance(act.verb, Say) and act.face is not None:
+            found.setdefault((act.face, act.span), []).append((act.start, act.verb, act.scene))
+    return found
+
+
+def _act(acts: Said, line: TimedLine) -> tuple[Say, int]:
     """What a line says, and in which scene: its act is the nearest in time of those from its place in the script."""
-    acts = [
-        (abs(act.start - line.start), act.verb, act.scene)
-        for act in score.acts
-        if isinstance(act.verb, Say) and act.span == line.span and act.face == line.face
-    ]
-    nearest = min(acts, key=lambda each: each[0], default=None)
-    return nearest[1:] if nearest else None
+    _, say, scene = min(acts[line.face, line.span], key=lambda act: abs(act[0] - line.start))
+    return say, scene
 
 
 def _marked(line: Line) -> Iterator[str]:
