@@ -70,8 +70,7 @@ class _Writer:
         if any(line.words for line in chapter.lines):
             overlay = f"overlay-{number}"
             file = self._folder / names.sound(number)
-            sound = self._job.sound.between(chapter.start, chapter.end)
-            write_mp3(sound.blocks(), sound.rate, file)
+            write_mp3(self._job.sound.between(chapter.start, chapter.end), file)
             self._put(Item(f"sound-{number}", names.sound(number), MP3), file)
             document = overlay_document(chapter, names.page(number), names.sound(number))
             self._text(Item(overlay, names.overlay(number), SMIL), document)
