@@ -52,6 +52,10 @@ def write_split(job: Job, target: Path, batch: Outputs) -> None:
 def page(job: Job, folder: str = "") -> Page:
     """The page of a job; with a `folder`, sound and motion are files of that folder beside it. Raises `JobFailure`."""
     wish = job.page
+    if wish.template == "book":
+        from facescript.backends.page.book import book_page  # it is made of what is here
+
+        return book_page(job, folder)
     template = resource(f"{wish.template}.html") if wish.brought is None else wish.brought
     return assembled(job, template, placeholders(job, lines(job.score, job.start, job.end)), folder)
 
