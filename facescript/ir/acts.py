@@ -98,13 +98,19 @@ class Gesture:
 
 @dataclass(frozen=True, slots=True)
 class Voice:
-    """How a line sounds: `language` as espeak-ng names it, `variant` (female, male or a voice's), factors of 1."""
+    """How a line sounds: `language` as espeak-ng names it, and factors of 1, `range` how far the melody swings.
+
+    `variant` is female, male or a variant of espeak-ng; of another `engine`, its voice's name or its file in the
+    project.
+    """
 
     language: str = "en-us"
     variant: str = ""
     rate: float = 1.0
     pitch: float = 1.0
     volume: float = 1.0
+    range: float = 1.0
+    engine: str = "espeak"
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,12 +127,13 @@ class Cue:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause" or "reading".
+    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause", "reading" or "mark".
 
-    `value` is a pause's seconds as text or a reading as written; a breath and a pause have start == end.
+    `value` is a pause's seconds as text, a reading as written, or the name of a mark; a breath, a pause and a mark have
+    start == end.
     """
 
-    kind: Literal["stress", "breath", "pause", "reading"]
+    kind: Literal["stress", "breath", "pause", "reading", "mark"]
     start: int
     end: int
     value: str = ""

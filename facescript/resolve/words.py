@@ -76,6 +76,7 @@ MODIFIERS: dict[str, Modifier] = _rows(
     _fixed("spontaneous", "manner", "it comes slowly, stays smaller, lives and lingers, as one that is felt"),
     _valued("rate", "percentage", "how fast the voice speaks"),
     _valued("pitch", "percentage", "how high the voice speaks"),
+    _valued("range", "percentage", "how far the voice's melody rises and falls"),
     _valued("volume", "percentage", "how loud the voice speaks"),
     _valued("blink", "rate", "blinks a minute"),
     _valued("brows", "rate", "brow raises a minute"),
@@ -96,7 +97,7 @@ MANNERS = ("posed", "spontaneous")
 LASTING = ("over", "for", "as")
 COURSES = ("top to bottom", "left to right", "towards", "round")
 NOTHING = "none"
-VOICE = ("rate", "pitch", "volume")
+VOICE = ("rate", "pitch", "range", "volume")
 
 
 def _verbs(*rows: Verb) -> dict[str, Verb]:
@@ -144,7 +145,12 @@ VERBS: dict[str, Verb] = _verbs(
 )
 
 VOICED = _rows(
-    Modifier("voice", ("voice", VALUE), "voice", "the language, and `female`, `male` or a variant's name"),
+    Modifier(
+        "voice",
+        ("voice", VALUE),
+        "voice",
+        "the language, and `female`, `male`, a variant's name, or an engine and its voice",
+    ),
     *(MODIFIERS[name] for name in VOICE),
 )
 

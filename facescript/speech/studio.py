@@ -8,6 +8,7 @@ from facescript.ir.acts import Say
 from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.model import Spoken, VoiceBox
 from facescript.speech.spool import Spool
+from facescript.speech.voices.ensemble import Ensemble
 from facescript.world import World
 
 
@@ -31,5 +32,5 @@ class Studio:
 
 
 def open_studio(world: World) -> VoiceBox:
-    """The default voice, and the files of a project."""
-    return Studio(world, open_voice())
+    """The voices of all engines, and the files of a project."""
+    return Studio(world, Ensemble(world, open_voice()))

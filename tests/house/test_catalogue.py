@@ -17,7 +17,7 @@ from facescript.speech.studio import open_studio
 from facescript.text import Source
 from facescript.world import World
 
-VOICES = {"check": lambda world: EstimatedVoice(), "build": open_studio}
+VOICES = {"check": EstimatedVoice, "build": open_studio}
 SCRIPTED = [entry for entry in CATALOGUE.values() if entry.stage in VOICES]
 COMMANDED = [entry for entry in CATALOGUE.values() if entry.stage == "command"]
 

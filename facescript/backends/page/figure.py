@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from facescript.backends.page.basis import PLACE
-from facescript.backends.page.motion import LEVELS, TURN, VIEW, Motion
+from facescript.backends.page.motion import LEVELS, RATE, TURN, VIEW, Motion
 from facescript.backends.page.packing import packed
 from facescript.backends.svg.ground import photo_address
 from facescript.rig.picture import Linear, Paint, Radial, Shape
@@ -26,7 +26,7 @@ def figure(stage: Stage, moved: Motion) -> Object:
     ]
     return {
         "size": [stage.width, stage.height],
-        "fps": moved.fps,
+        "fps": RATE,
         "frames": moved.frames,
         "partFrames": moved.part_frames,
         "parts": [part.ways for part in moved.parts],
@@ -45,7 +45,7 @@ def _face(moved: Motion, number: int) -> Object:
     """A face's points: mean places and ways of moving."""
     basis = moved.bases[number]
     ways, steps = basis.ways()
-    rows = ways.reshape(2 * len(ways), -1)
+    rows = ways.reshape(2 * len(ways), ways.shape[1] // 2)
     return {
         "first": moved.firsts[number],
         "mean": packed(basis.mean.reshape(2, -1)),

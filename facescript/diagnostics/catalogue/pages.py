@@ -38,6 +38,7 @@ PAGES: tuple[Entry, ...] = (
         "`{placeholder}` in the template `{name}` stands for nothing; there are {known}.",
         HELLO,
         HELLO,
+        "What is written in double braces is filled in when the page is made.",
         files={"mine.html": "{{face}} {{heading}}\n"},
         stage="command",
         command=("build", "script.face", "--page", "mine.html", "-o", "page.html"),
