@@ -58,19 +58,24 @@ def _timed(piece: Piece, at: float, pace: float, language: str) -> list[WordTime
     times: list[WordTime] = []
     before = 0
     for word in words(piece.text):
-        at += pace * _pause(piece.text[before : word.first]) if times else 0.0
+        at += pace * pause_between(piece.text[before : word.first]) if times else 0.0
         text = piece.text[word.first : word.last]
-        end = at + pace * sum(_length(sign, language) for sign in text)
+        end = at + pace * word_length(text, language)
         times.append(WordTime(text, piece.first + word.first, piece.first + word.last, at, end))
         at, before = end, word.last
     return times
 
 
-def _pause(between: str) -> float:
+def pause_between(between: str) -> float:
     """The silence that the signs between two words make."""
     if any(sign in ".!?…。！？।" for sign in between):
         return SENTENCE
     return CLAUSE if any(sign in ",;:，；：、—" for sign in between) else 0.0
+
+
+def word_length(word: str, language: str = "en") -> float:
+    """Seconds that a word takes at 100 %."""
+    return sum(_length(sign, language) for sign in word)
 
 
 def _length(sign: str, language: str) -> float:
