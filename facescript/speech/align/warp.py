@@ -1,4 +1,4 @@
-"""Frames of a recording and of a voice to which frame of the voice is heard in each of the recording.
+"""Frames of a recording and of voices to which frame of each voice is heard in each of the recording.
 
 Every frame of the recording goes on by 0 to 3 frames of the voice, so that a row of costs follows from the row before it
 at once, without the diagonals of the usual way, and each frame counts once, however fast somebody speaks.
@@ -24,8 +24,12 @@ UNSAID = 0.05
 """What a frame of the voice costs that is left out at the start or at the end: a recording may lack words there."""
 
 FAR = np.float32(1e9)
-ROWS = 64
-"""Rows whose distances are found at once."""
+
+PRODUCTS = 200_000
+"""Multiplications of one matrix product: more start threads, which cost more than they give."""
+
+AT_ONCE = 8
+"""Rows whose distances are found at once, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,58 +41,72 @@ class Warp:
     distances: Floats
 
 
-def warp(recording: Floats, voice: Floats, reach: int, centre: Indices | None = None) -> Warp:
-    """The cheapest way through, at most `reach` frames of the voice from `centre`, or else from where it is best so
-    far; both have the same columns."""
-    band = min(2 * reach + 1, len(voice))
-    last = len(voice) - band
+def warp(recording: Floats, voices: Floats, reach: int, centre: Indices | None = None) -> tuple[Warp, ...]:
+    """The cheapest way of each of the `voices` (by voice, frame and column), at most `reach` frames from `centre`, or
+    else from where the first is best so far; the recording has the same columns."""
+    count, length = voices.shape[:2]
+    band = min(2 * reach + 1, length)
     firsts = np.zeros(len(recording), np.int64)
-    costs = np.empty((len(recording), band), np.float32)
-    came = np.zeros((len(recording), band), np.int8)
     if centre is not None:
-        firsts = np.maximum.accumulate(np.clip(centre - reach, 0, last))
-    total = np.arange(firsts[0], firsts[0] + band, dtype=np.float32) * np.float32(UNSAID)
-    rows = _Rows(recording, voice)
+        firsts = np.maximum.accumulate(np.clip(centre - reach, 0, length - band))
+    costs = np.empty((len(recording), count, band), np.float32)
+    came = np.zeros((len(recording), count, band), np.int8)
+    near = _Near(recording, voices, band)
+    total = np.repeat(np.arange(firsts[0], firsts[0] + band, dtype=np.float32)[None] * np.float32(UNSAID), count, 0)
     for row in range(len(recording)):
-        if row and centre is None:
-            firsts[row] = min(max(firsts[row - 1], firsts[row - 1] + int(total.argmin()) - reach), last)
         if row:
-            total, came[row] = _on(total, int(firsts[row] - firsts[row - 1]))
-        costs[row] = rows.distances(row, int(firsts[row]), band)
+            if centre is None:
+                best = int(firsts[row - 1] + total[0].argmin()) - reach
+                firsts[row] = min(max(int(firsts[row - 1]), best), int(firsts[row - 1]) + LEAPS, length - band)
+            total = _on(total, int(firsts[row] - firsts[row - 1]), came[row])
+        costs[row] = near.distances(row, int(firsts[row]))
         total += costs[row]
-    total += (len(voice) - 1 - firsts[-1] - np.arange(band)) * np.float32(UNSAID)
-    return _back(int(total.argmin()), firsts, costs, came)
+    total += (length - 1 - firsts[-1] - np.arange(band)) * np.float32(UNSAID)
+    return tuple(_back(int(total[each].argmin()), firsts, costs[:, each], came[:, each]) for each in range(count))
 
 
-class _Rows:
-    """Distances of a frame of the recording to a stretch of the voice's frames."""
+class _Near:
+    """Distances of a frame of the recording to the frames of the voices in the band, found for several rows at once."""
 
-    def __init__(self, recording: Floats, voice: Floats) -> None:
-        self._recording, self._voice = recording, voice
-        self._squares = np.square(voice).sum(1)
-        self._own = np.square(recording).sum(1)
-        self._share = np.float32(1 / voice.shape[1])
+    def __init__(self, recording: Floats, voices: Floats, band: int) -> None:
+        self._recording, self._voices, self._band = recording, voices, band
+        self._squares, self._own = np.square(voices).sum(2), np.square(recording).sum(1)
+        self._share = np.float32(1 / voices.shape[2])
+        self._rows = max(min(PRODUCTS // (band * voices.shape[2]), AT_ONCE), 1)
+        self._found: Floats = np.empty((0, 0, 0), np.float32)
+        self._row = self._first = 0
 
-    def distances(self, row: int, first: int, band: int) -> Floats:
-        """Root of the mean square over the columns."""
-        products = self._voice[first : first + band] @ self._recording[row]
-        squares = self._squares[first : first + band] - 2 * products
-        found: Floats = np.sqrt(np.maximum((squares + self._own[row]) * self._share, 0))
+    def distances(self, row: int, first: int) -> Floats:
+        """Root of the mean square over the columns, by voice and frame."""
+        at = first - self._first
+        if row - self._row >= len(self._found) or at + self._band > self._found.shape[2]:
+            self._find(row, first)
+            at = 0
+        found: Floats = self._found[row - self._row, :, at : at + self._band]
         return found
 
+    def _find(self, row: int, first: int) -> None:
+        last = first + self._band + LEAPS * self._rows
+        rows = self._recording[row : row + self._rows]
+        products = np.matmul(rows[None], self._voices[:, first:last].transpose(0, 2, 1)).transpose(1, 0, 2)
+        squares = self._squares[:, first:last] - 2 * products + self._own[row : row + self._rows, None, None]
+        self._found, self._row, self._first = np.sqrt(np.maximum(squares * self._share, 0)), row, first
 
-def _on(total: Floats, moved: int) -> tuple[Floats, NDArray[np.int8]]:
-    """The least cost of each place of the next row, and by how many frames it went on; the row begins `moved` later."""
-    band = len(total)
-    before = np.full(band + moved + LEAPS, FAR, np.float32)
-    before[LEAPS : LEAPS + band] = total
-    best = before[LEAPS + moved : LEAPS + moved + band] + np.float32(TOLLS[0])
-    came = np.zeros(band, np.int8)
+
+def _on(total: Floats, moved: int, came: NDArray[np.int8]) -> Floats:
+    """The least cost of each place of the next row, which begins `moved` frames later; by how many it went on is put
+    into `came`."""
+    count, band = total.shape
+    before = np.empty((count, band + moved + LEAPS), np.float32)
+    before[:, :LEAPS] = FAR
+    before[:, LEAPS : LEAPS + band] = total
+    before[:, LEAPS + band :] = FAR
+    best = before[:, LEAPS + moved :] + np.float32(TOLLS[0])
     for leap in range(1, LEAPS + 1):
-        option = before[LEAPS + moved - leap : LEAPS + moved - leap + band] + np.float32(TOLLS[leap])
-        came[option < best] = leap
+        option = before[:, LEAPS + moved - leap : LEAPS + moved - leap + band] + np.float32(TOLLS[leap])
+        np.copyto(came, leap, where=option < best)
         np.minimum(best, option, out=best)
-    return best, came
+    return best
 
 
 def _back(at: int, firsts: Indices, costs: Floats, came: NDArray[np.int8]) -> Warp:
