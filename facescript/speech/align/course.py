@@ -19,8 +19,8 @@ COARSE = 4
 KEPT = 0.12
 """Seconds of quiet kept around speech: of a long pause no more counts, however long it is."""
 
-REACH = 500
-"""Coarse frames (20 s) that a speaker may be ahead of the best way so far, or behind."""
+REACH = 400
+"""Coarse frames (16 s) that a speaker may be ahead of the best way so far, or behind."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 
 from facescript.ir.acts import Say, Stretch
 from facescript.speech.lines import is_letter, is_unspaced
@@ -18,20 +19,22 @@ LONGEST = 180
 DENSE = 4
 
 
-def sentences(text: str) -> tuple[tuple[int, int], ...]:
+def sentences(line: Say) -> tuple[tuple[int, int], ...]:
     """First and last character of each stretch, in order, without gaps; each has a letter, if the text has one."""
-    cuts = _cut(text, [(0, len(text))], ENDS, 0)
+    text = line.text
+    pauses = sorted({mark.start for mark in line.stretches if mark.start == mark.end and mark.start < len(text)} - {0})
+    cuts = _cut(text, list(pairwise([0, *pauses, len(text)])), ENDS, 0)
     for rule in (CLAUSES, SPACES):
         cuts = _cut(text, cuts, rule, LONGEST)
     return _with_letters(text, cuts)
 
 
 def part_of(line: Say, first: int, last: int) -> Say:
-    """The characters `first` to `last` of a line as a line of its own, with its marks."""
+    """The characters `first` to `last` of a line as a line of its own, with its marks; its pauses are the recording's."""
     marks = tuple(
         Stretch(mark.kind, max(mark.start, first) - first, min(mark.end, last) - first, mark.value)
         for mark in line.stretches
-        if (mark.start < last and mark.end > first) or (mark.start == mark.end and first <= mark.start < last)
+        if mark.start < mark.end and mark.start < last and mark.end > first
     )
     return replace(line, text=line.text[first:last], stretches=marks, cues=(), recording=None, times=None)
 

@@ -49,7 +49,6 @@ def warp(recording: Floats, voices: Floats, reach: int, centre: Indices | None =
     firsts = np.zeros(len(recording), np.int64)
     if centre is not None:
         firsts = np.maximum.accumulate(np.clip(centre - reach, 0, length - band))
-    costs = np.empty((len(recording), count, band), np.float32)
     came = np.zeros((len(recording), count, band), np.int8)
     near = _Near(recording, voices, band)
     total = np.repeat(np.arange(firsts[0], firsts[0] + band, dtype=np.float32)[None] * np.float32(UNSAID), count, 0)
@@ -59,10 +58,10 @@ def warp(recording: Floats, voices: Floats, reach: int, centre: Indices | None =
                 best = int(firsts[row - 1] + total[0].argmin()) - reach
                 firsts[row] = min(max(int(firsts[row - 1]), best), int(firsts[row - 1]) + LEAPS, length - band)
             total = _on(total, int(firsts[row] - firsts[row - 1]), came[row])
-        costs[row] = near.distances(row, int(firsts[row]))
-        total += costs[row]
+        total += near.distances(row, int(firsts[row]))
     total += (length - 1 - firsts[-1] - np.arange(band)) * np.float32(UNSAID)
-    return tuple(_back(int(total[each].argmin()), firsts, costs[:, each], came[:, each]) for each in range(count))
+    paths = [_back(int(total[each].argmin()), firsts, came[:, each]) for each in range(count)]
+    return tuple(Warp(path, _distances(recording, voice[path])) for path, voice in zip(paths, voices, strict=True))
 
 
 class _Near:
@@ -109,13 +108,16 @@ def _on(total: Floats, moved: int, came: NDArray[np.int8]) -> Floats:
     return best
 
 
-def _back(at: int, firsts: Indices, costs: Floats, came: NDArray[np.int8]) -> Warp:
+def _back(at: int, firsts: Indices, came: NDArray[np.int8]) -> Indices:
     """The way that ends at place `at` of the last row."""
     path = np.empty(len(firsts), np.int64)
-    distances = np.empty(len(firsts), np.float32)
     place = at + int(firsts[-1])
     for row in range(len(firsts) - 1, -1, -1):
-        at = place - int(firsts[row])
-        path[row], distances[row] = place, costs[row, at]
-        place -= int(came[row, at])
-    return Warp(path, distances)
+        path[row] = place
+        place -= int(came[row, place - int(firsts[row])])
+    return path
+
+
+def _distances(recording: Floats, voice: Floats) -> Floats:
+    found: Floats = np.sqrt(np.square(recording - voice).mean(1))
+    return found
