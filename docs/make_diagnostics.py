@@ -23,7 +23,7 @@ from facescript.text import Source
 from facescript.world import World
 
 PAGE = Path(__file__).with_name("diagnostics.md")
-VOICES = {"check": lambda world: EstimatedVoice(), "build": open_studio}
+VOICES = {"check": EstimatedVoice, "build": open_studio}
 WIDEST, LONGEST = 116, 24
 """Signs of a line and lines of a file that the page shows; the rest is `…`."""
 

@@ -62,7 +62,7 @@ def _reader(labels: Iterable[str]) -> Callable[[str], str]:
         return _from_arpabet
     if any(not label.isascii() for label in kinds) or not any(map(_XSAMPA_ONLY.search, kinds)):
         return str
-    return _from_xsampa
+    return from_xsampa
 
 
 def looks_like_phones(labels: Sequence[str]) -> bool:
@@ -88,7 +88,8 @@ def _from_arpabet(label: str) -> str:
     return f"ˈ{symbol}" if label[-1] == "1" else symbol
 
 
-def _from_xsampa(label: str) -> str:
+def from_xsampa(label: str) -> str:
+    """A label in X-SAMPA as IPA."""
     if label.startswith(PREFIX):
         return label
     return "".join(

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import html
+import math
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from facescript.speech.estimate import pause_between, word_length
 from facescript.speech.lines import is_unspaced, words
+from facescript.speech.timing.spreading import DRAWN_OUT, spread
 from facescript.speech.timing.times import TimedWord, Times, stretch, times_of, unusable
-
-DRAWN_OUT = 1.6
-"""How many times its estimated length a word takes at most: a cue stays longer than its speech, to be read."""
 
 GAP, LONGEST, WIDEST = 0.6, 6.0, 80
 """A pause that ends a cue, and the most seconds and characters of one, where words are written as cues."""
@@ -117,23 +115,11 @@ def _words(cue: Cue, single: bool) -> Iterator[TimedWord]:
     edges.append((max(cue.end, edges[-1][0]), len(text), len(text)))
     timed = single or len(edges) > 2
     for (start, _, first), (end, last, _) in pairwise(edges):
-        yield from spread(_plain(text[first:last]), start, end, exact=timed)
-
-
-def spread(text: str, start: float, end: float, exact: bool = False) -> Iterator[TimedWord]:
-    """The words of a text over a stretch of time by their length; unless `exact` they end before it does where it is
-    much longer than they are."""
-    found = words(text)
-    if not found:
-        return
-    lengths = [max(word_length(text[word.first : word.last]), 0.01) for word in found]
-    pauses = [pause_between(text[a.last : b.first]) for a, b in pairwise(found)] + [0.0]
-    scale = (end - start) / (sum(lengths) + sum(pauses))
-    scale = scale if exact else min(scale, DRAWN_OUT)
-    at = start
-    for word, length, pause in zip(found, lengths, pauses, strict=True):
-        yield TimedWord(text[word.first : word.last], at, min(at + scale * length, end))
-        at = min(at + scale * (length + pause), end)
+        plain = _plain(text[first:last])
+        inside = words(plain)
+        spans = spread(plain, inside, start, end, math.inf if timed else DRAWN_OUT)
+        for word, span in zip(inside, spans, strict=True):
+            yield TimedWord(plain[word.first : word.last], *span)
 
 
 # ------------------------------------------------------------------------------------ writing
