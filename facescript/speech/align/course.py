@@ -1,4 +1,4 @@
-"""A whole recording and its text, to about when each sentence is said: the voice warped onto the recording, coarsely."""
+"""A whole recording and its text to about when each sentence is said: the voice warped onto it, coarsely."""
 
 from __future__ import annotations
 
@@ -62,4 +62,5 @@ def _coarse(bands: Floats) -> Floats:
     starts = np.arange(0, len(bands), COARSE)
     sums = np.add.reduceat(bands, starts, axis=0)
     counts = np.diff(np.append(starts, len(bands))).astype(np.float32)
-    return with_change(sums / counts[:, None], 1)
+    means: Floats = (sums / counts[:, None]).astype(np.float32)
+    return with_change(means, 1)

@@ -8,12 +8,15 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.speech.align.features import Floats, spectrum
+from facescript.speech.align.features import spectrum
+from facescript.speech.mandarin.syllables import PREFIX
 from facescript.speech.model import PhoneTime
 from facescript.speech.timing.times import is_plosive
 
 HOP = 0.005
 """Seconds from frame to frame."""
+
+AFFRICATES = ("tʃ", "dʒ", "ts", "dz", "tɕ", "dʑ", "pf")
 
 LONGEST_CLOSURE = 0.12
 """Seconds."""
@@ -49,7 +52,9 @@ class Edges:
         for number, phone in enumerate(phones):
             before = phones[number - 1].start if number else phone.start - SPAN
             start = phone.start
-            if phone.symbol and number and is_plosive(phone) and phones[number - 1].symbol:
+            if phone.symbol.startswith(PREFIX):
+                pass  # a mouth shape, not a sound
+            elif number and _is_closed(phone) and phones[number - 1].symbol:
                 start = self._closure(before, phone.start)
             elif phone.symbol:
                 start = self._change(before, phone.start, phone.end)
@@ -95,3 +100,8 @@ class Edges:
 
     def _frame(self, moment: float) -> int:
         return min(max(round((moment - self._start) / HOP), 0), len(self._level) - 1)
+
+
+def _is_closed(phone: PhoneTime) -> bool:
+    """Whether it begins with a closure: a plosive, or an affricate."""
+    return is_plosive(phone) or phone.symbol.startswith(AFFRICATES)

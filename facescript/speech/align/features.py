@@ -20,7 +20,8 @@ QUIETEST = 1.0
 """Power of a band, of 16-bit samples, that counts as silence: below it is only the rounding of samples."""
 
 BLOCK = 16
-"""Frames that are transformed at once: few enough that no matrix product starts threads, which cost more than they give."""
+"""Frames that are transformed at once: few enough that no matrix product starts threads, which cost more than they
+give."""
 
 
 def spectrum(samples: NDArray[np.int16], rate: int, hop: float) -> Floats:
@@ -45,7 +46,8 @@ def spectrum(samples: NDArray[np.int16], rate: int, hop: float) -> Floats:
 @lru_cache(maxsize=16)
 def _window(size: int) -> Floats:
     window: Floats = np.hanning(size).astype(np.float32)
-    return window / np.float32(np.sqrt(np.sum(window**2)))
+    window /= np.float32(np.sqrt(np.sum(window**2)))
+    return window
 
 
 @lru_cache(maxsize=16)
@@ -58,7 +60,8 @@ def _filters(rate: int, length: int) -> Floats:
     rising = (bins[:, None] - hertz[None, :-2]) / np.diff(hertz)[None, :-1]
     falling = (hertz[None, 2:] - bins[:, None]) / np.diff(hertz)[None, 1:]
     filters = np.maximum(np.minimum(rising, falling), 0.0)
-    return (filters / np.maximum(filters.sum(0), 1e-9)).astype(np.float32)
+    shares: Floats = (filters / np.maximum(filters.sum(0), 1e-9)).astype(np.float32)
+    return shares
 
 
 def _mel(hertz: float) -> float:

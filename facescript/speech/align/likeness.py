@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from facescript.speech.align.activity import Stretch
 from facescript.speech.align.features import Floats
 from facescript.speech.align.reference import HOP
 from facescript.speech.model import Doubt, WordTime
@@ -21,7 +22,7 @@ AROUND = 0.15
 LEAST = 0.02
 """Seconds of a word that is heard."""
 
-UNLIKE, SHORT = 0.945, 0.04
+UNLIKE, SHORT = 0.945, 0.08
 """The likeness of a recording that does not say its text, and how much higher it is for one of 1 s of speech."""
 
 FASTEST, SLOWEST = 0.33, 4.0
@@ -61,16 +62,22 @@ def _sure(word: WordTime, sums: np.ndarray[tuple[int], np.dtype[np.float64]]) ->
     return 1 / (1 + math.exp((mean - EVEN) / STEP))
 
 
-def doubts(
-    words: Sequence[WordTime], sure: Sequence[float], found: Sequence[Likeness], pace: float
-) -> tuple[Doubt, ...]:
+def unlike(spoken: Sequence[Stretch], duration: float) -> Doubt | None:
+    """What shows before anything is compared that a recording with speech in the stretches `spoken` does not say a
+    text for which a voice takes `duration` seconds."""
+    if not spoken:
+        return Doubt("FS510", "nobody is heard in it")
+    pace = sum(each.length for each in spoken) / duration
+    if FASTEST < pace < SLOWEST:
+        return None
+    return Doubt("FS510", f"a voice takes {duration:.1f} s for it, and somebody speaks for {pace * duration:.1f} s")
+
+
+def doubts(words: Sequence[WordTime], sure: Sequence[float], found: Sequence[Likeness]) -> tuple[Doubt, ...]:
     """What an author should know: that another text is said (FS510), or not all of it (FS511)."""
     frames = np.concatenate([each.frames for each in found])
     seconds = max(len(frames) * HOP, HOP)
     mean = float(frames.mean())
-    if not FASTEST < pace < SLOWEST:
-        many = "far too short" if pace < 1 else "far too long"
-        return (Doubt("FS510", f"it is {many} for it"),)
     if mean > UNLIKE + SHORT / seconds:
         percent = 100 / (1 + math.exp((mean - EVEN) / STEP))
         return (Doubt("FS510", f"they are alike by {percent:.0f} %"),)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from facescript.speech.align.features import Floats, with_change
 from facescript.speech.align.reference import HOP, Reference
-from facescript.speech.align.warp import warp
+from facescript.speech.align.warp import Warp, warp
 from facescript.speech.model import PhoneTime, WordTime
 
 CHANGE = 2
@@ -38,14 +38,21 @@ def heard(bands: Floats, first: int, places: NDArray[np.float64], voices: Sequen
     own = with_change(bands, CHANGE)
     length = len(voices[0].bands)
     evened = [with_change(_evened(voice.bands, length), CHANGE) for voice in voices]
-    otherwise = with_change(np.ascontiguousarray(voices[0].bands[::-1]), CHANGE)
+    turned = [np.roll(voice, length // 2, axis=0) for voice in evened]
     near = np.round(places).astype(np.int64)
-    *ways, wrong = warp(own, np.stack([*evened, otherwise]), REACH, near)
-    likeness = np.mean([way.distances for way in ways], axis=0) / wrong.distances.mean()
+    both = warp(own, np.stack(evened + turned), REACH, near)
+    ways, wrong = both[: len(voices)], both[len(voices) :]
+    likeness = _distance(ways) / _distance(wrong).mean()
     times = [
         (voice, _Clock(way.path * (len(voice.bands) / length), first)) for voice, way in zip(voices, ways, strict=True)
     ]
     return Heard(_words(times), _phones(times), first, likeness)
+
+
+def _distance(ways: Sequence[Warp]) -> Floats:
+    """How unlike each frame is, over the voices."""
+    found: Floats = np.mean([way.distances for way in ways], axis=0)
+    return found
 
 
 def _evened(bands: Floats, length: int) -> Floats:
@@ -56,13 +63,14 @@ def _evened(bands: Floats, length: int) -> Floats:
 class _Clock:
     """A voice's seconds to the recording's: a frame of the voice is in the middle of those that it was found in."""
 
-    def __init__(self, path: NDArray[np.float64], first: int) -> None:
+    def __init__(self, path: NDArray[np.floating], first: int) -> None:
         places, which, counts = np.unique(path, return_inverse=True, return_counts=True)
         self._places = places * HOP
         self._moments = (first + np.bincount(which, np.arange(len(path))) / counts) * HOP
 
     def __call__(self, seconds: Sequence[float]) -> NDArray[np.float64]:
-        return np.interp(seconds, self._places, self._moments)
+        found: NDArray[np.float64] = np.interp(seconds, self._places, self._moments)
+        return found
 
 
 def _words(times: Sequence[tuple[Reference, _Clock]]) -> tuple[WordTime, ...]:

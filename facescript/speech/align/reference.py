@@ -1,4 +1,4 @@
-"""Stretches of a line to how voices say them: the sounds that a recording is compared with, and when their words are."""
+"""Stretches of a line to how voices say them: sounds to compare a recording with, and when their words are."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A recording to its sentence utterances: by the pause after the first (Algorithm 3.1), or by what fits the sentences."""
+"""A recording to its sentence utterances: by the pause after the first (Algorithm 3.1), or by the best fit."""
 
 from __future__ import annotations
 

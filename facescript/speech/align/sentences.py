@@ -30,7 +30,8 @@ def sentences(line: Say) -> tuple[tuple[int, int], ...]:
 
 
 def part_of(line: Say, first: int, last: int) -> Say:
-    """The characters `first` to `last` of a line as a line of its own, with its marks; its pauses are the recording's."""
+    """The characters `first` to `last` of a line as a line of its own, with its marks; the recording has its own
+    pauses."""
     marks = tuple(
         Stretch(mark.kind, max(mark.start, first) - first, min(mark.end, last) - first, mark.value)
         for mark in line.stretches

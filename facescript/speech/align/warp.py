@@ -1,7 +1,7 @@
 """Frames of a recording and of voices to which frame of each voice is heard in each of the recording.
 
-Every frame of the recording goes on by 0 to 3 frames of the voice, so that a row of costs follows from the row before it
-at once, without the diagonals of the usual way, and each frame counts once, however fast somebody speaks.
+Every frame of the recording goes on by 0 to 3 frames of the voice, so that a row of costs follows from the row before
+it at once, without the diagonals of the usual way, and each frame counts once, however fast somebody speaks.
 """
 
 from __future__ import annotations
