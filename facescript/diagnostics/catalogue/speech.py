@@ -57,4 +57,15 @@ SPEECH: tuple[Entry, ...] = (
         "`volume` is for both.",
         files={"take.wav": "not sound"},
     ),
+    Entry(
+        "FS520",
+        "words-unknown",
+        Severity.ERROR,
+        "This line has a recording and no text, so where “{word}” is in it cannot be found.",
+        'say from "take.wav"\n    on "cup": nod\n',
+        'say "Take the cup." from "take.wav"\n    on "cup": nod\n',
+        "Write what is said before `from`, or give the moment in seconds: `at take + 1.2s:` for a line named with "
+        "`as take`.",
+        files={"take.wav": "not sound"},
+    ),
 )
