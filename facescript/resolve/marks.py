@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from facescript.ir.acts import Say
 from facescript.ir.values import Mark
-from facescript.ir.wording import occurrences
+from facescript.ir.wording import marked, occurrences
 from facescript.resolve.project import Project
 from facescript.resolve.reader import spelled
 from facescript.resolve.scope import Scope
@@ -41,22 +41,23 @@ def check_marks(project: Project) -> None:
     for mark, span in project.marks:
         if mark.word is None or mark.label not in project.lines:
             continue
-        said = project.lines[mark.label]
-        if said is None:
+        line = project.lines[mark.label]
+        if line is None:
             project.report("FS230", span, label=mark.label, word=mark.word)
         else:
-            check_word(project, said, mark.word, mark.nth, span)
+            check_word(project, line, mark.word, mark.nth, span)
 
 
-def check_word(project: Project, said: Say, word: str, nth: int, span: Span) -> bool:
-    """Whether a line has the `nth` `word`; if not, that is reported. An empty text has its fault told elsewhere."""
-    if not said.text:
-        if said.recording is not None:
+def check_word(project: Project, line: Say, word: str, nth: int, span: Span) -> bool:
+    """Whether a line has the `nth` `word`, or mark of that name; if not, that is reported. A text that could not be
+    read has its fault told elsewhere."""
+    if not line.text:
+        if line.recording is not None or line.times is not None:
             project.report("FS520", span, word=word)
-        return said.recording is None
-    count = len(occurrences(said.text, word))
+        return line.recording is None and line.times is None
+    count = len(marked(line, word) or occurrences(line.text, word))
     if count == 0:
-        project.report("FS228", span, word=word, text=shortened(said.text))
+        project.report("FS228", span, word=word, text=shortened(line.text))
     elif nth < 1 or nth > count:
         times = "once" if count == 1 else f"{count} times"
         project.report("FS229", span, word=word, nth=nth, times=times)

@@ -70,7 +70,7 @@ class Project:
     refused: set[str] = field(default_factory=set)
     tables: dict[str, tuple[Any, ...]] = field(default_factory=dict)
     tracks: dict[str, Any] = field(default_factory=dict)
-    pictures: dict[str, str] = field(default_factory=dict)
+    pictures: dict[tuple[str, int], str] = field(default_factory=dict)
     most: int = MOST_NODES
     weight: int = 0
     stood_for: int = 0

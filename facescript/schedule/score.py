@@ -67,6 +67,7 @@ class TimedScene:
     faces: tuple[str, ...]
     start: float
     end: float
+    title: str = ""
 
 
 @dataclass(frozen=True, slots=True)

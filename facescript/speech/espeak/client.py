@@ -29,7 +29,7 @@ LONGEST_TEXT = 200_000
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """What the worker speaks at once: `rate` in words a minute (80..450), `pitch` 0..100 (50 is the voice's own).
+    """What the worker speaks at once: `rate` in words a minute (80..450), `pitch` and `range` 0..100 (50: as usual).
 
     `ssml` texts carry tags, `phonemes` texts carry `[[...]]` in the voice's own phoneme names.
     """
@@ -40,6 +40,7 @@ class Utterance:
     pitch: int = 50
     ssml: bool = False
     phonemes: bool = False
+    range: int = 50
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
 
 from facescript.ir.acts import Stretch, Voice
@@ -59,7 +59,7 @@ def speak(espeak: Espeak, piece: Piece, line: str, voices: Voices, voice: Voice)
     for run in _runs(units(piece, line)):
         if run[0].foreign:
             within = Piece(run[0].foreign, piece.first + run[0].first, piece.first + run[0].last, ())
-            manner = voices.manner(Voice(FOREIGN, voice.variant, voice.rate, voice.pitch))
+            manner = voices.manner(replace(voice, language=FOREIGN))
             parts.append(alphabetic.speak(espeak, within, manner))
         else:
             parts.append(_speak_run(espeak, piece, run, voices.manner(voice)))
@@ -185,9 +185,7 @@ def _speak_run(espeak: Espeak, piece: Piece, run: Sequence[Unit], manner: Manner
         if unit.stressed and not (after and after.stressed):
             text += alphabetic.EMPHASIS[1]
     text = text.rstrip()
-    sound = espeak.speak(
-        Utterance(text if text[-1] in ".?!,;:" else text + ",", manner.voice, manner.rate, manner.pitch, ssml)
-    )
+    sound = espeak.speak(Utterance(text if text[-1] in ".?!,;:" else text + ",", **asdict(manner), ssml=ssml))
     return _timed(piece, run, places, sound)
 
 

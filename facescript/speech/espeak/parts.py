@@ -11,7 +11,7 @@ from facescript.speech.model import PhoneTime, Spoken, WordTime
 from facescript.speech.mouth.visemes import visemes
 
 RATE = 22_050
-"""Samples a second of every spoken line."""
+"""Samples a second of what espeak-ng speaks."""
 
 LEAD, TAIL = 0.06, 0.04
 """Seconds of quiet kept before the first sound and after the last: a plosive's closure, and the voice's fading."""
@@ -25,15 +25,16 @@ BYTES = 2
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A piece as sound; words and phones in seconds from its start, words by characters of the whole line."""
+    """A piece as sound of `rate` Hz; words and phones in seconds from its start, words by characters of the line."""
 
     pcm: bytes
     words: tuple[WordTime, ...]
     phones: tuple[PhoneTime, ...]
+    rate: int = RATE
 
     @property
     def duration(self) -> float:
-        return len(self.pcm) / BYTES / RATE
+        return len(self.pcm) / BYTES / self.rate
 
 
 def phones(sound: Sound) -> tuple[PhoneTime, ...]:
@@ -70,13 +71,15 @@ def _phone(event: Heard, end: float) -> PhoneTime:
 
 def trimmed(part: Part, sounding: tuple[float, float]) -> Part:
     """The part without the quiet beyond `LEAD` and `TAIL` around `sounding`, the stretch in which there is sound."""
-    first = round(max(sounding[0] - LEAD, 0) * RATE)
-    last = min(round((sounding[1] + TAIL) * RATE), len(part.pcm) // BYTES)
-    moved = shifted(part, -first / RATE)
-    total = (last - first) / RATE
+    first = round(max(sounding[0] - LEAD, 0) * part.rate)
+    last = min(round((sounding[1] + TAIL) * part.rate), len(part.pcm) // BYTES)
+    moved = shifted(part, -first / part.rate)
+    total = (last - first) / part.rate
     kept = (replace(phone, start=max(phone.start, 0.0), end=min(phone.end, total)) for phone in moved.phones)
     words = (replace(word, start=_inside(word.start, total), end=_inside(word.end, total)) for word in moved.words)
-    return Part(part.pcm[BYTES * first : BYTES * last], tuple(words), tuple(p for p in kept if p.end > p.start))
+    return Part(
+        part.pcm[BYTES * first : BYTES * last], tuple(words), tuple(p for p in kept if p.end > p.start), part.rate
+    )
 
 
 def _inside(time: float, total: float) -> float:
@@ -88,26 +91,26 @@ def shifted(part: Part, by: float) -> Part:
     """The part's words and phones `by` seconds later."""
     words = (replace(word, start=word.start + by, end=word.end + by) for word in part.words)
     sounds = (replace(phone, start=phone.start + by, end=phone.end + by) for phone in part.phones)
-    return Part(part.pcm, tuple(words), tuple(sounds))
+    return replace(part, words=tuple(words), phones=tuple(sounds))
 
 
-def joined(parts: Sequence[Part | float]) -> Part:
-    """Parts one after another; a number is that many seconds of silence."""
+def joined(parts: Sequence[Part | float], rate: int = RATE) -> Part:
+    """Parts of one rate one after another; a number is that many seconds of silence."""
     sound = bytearray()
     words: list[WordTime] = []
     sounds: list[PhoneTime] = []
     for part in parts:
-        at = len(sound) / BYTES / RATE
+        at = len(sound) / BYTES / rate
         if isinstance(part, float):
-            sound += bytes(BYTES * round(part * RATE))
-            sounds.append(PhoneTime("", at, len(sound) / BYTES / RATE))
+            sound += bytes(BYTES * round(part * rate))
+            sounds.append(PhoneTime("", at, len(sound) / BYTES / rate))
             continue
         moved = shifted(part, at)
         sound += moved.pcm
         words += moved.words
         sounds += moved.phones
-    return Part(bytes(sound), tuple(words), tuple(sounds))
+    return Part(bytes(sound), tuple(words), tuple(sounds), rate)
 
 
 def spoken(part: Part) -> Spoken:
-    return Spoken(part.pcm, RATE, part.duration, part.words, part.phones)
+    return Spoken(part.pcm, part.rate, part.duration, part.words, part.phones)

@@ -4,7 +4,8 @@
 A frame is a length (4 bytes, big-endian) and that many bytes. A request is one frame of JSON:
 
     {"do": "voices"}
-    {"do": "speak", "text": ..., "voice": ..., "rate": words a minute, "pitch": 0..100, "ssml": bool, "phonemes": bool}
+    {"do": "speak", "text": ..., "voice": ..., "rate": words a minute, "pitch": 0..100, "range": 0..100,
+     "ssml": bool, "phonemes": bool}
 
 An answer is a frame of JSON and a frame of sound (16-bit little-endian mono, empty for voices):
 
@@ -35,7 +36,7 @@ SYNCHRONOUS = 2
 """Output mode: mode 1 starts a thread, and a fork after it hangs."""
 
 PHONEME_EVENTS, PHONEMES_AS_IPA = 1, 2
-RATE, VOLUME, PITCH = 1, 2, 3
+RATE, VOLUME, PITCH, RANGE = 1, 2, 3, 4
 BY_CHARACTER, UTF8, SSML, PHONEMES = 1, 0x1, 0x10, 0x100
 ENDED, WORD, PHONE = 0, 1, 7
 LONGEST_REQUEST = 1 << 22
@@ -118,7 +119,8 @@ class Espeak:
     def speak(self, request: dict[str, Any]) -> Answer:
         if self.library.espeak_SetVoiceByName(request["voice"].encode()) != 0:
             return {"failure": f"espeak-ng has no voice {request['voice']}"}, b""
-        for parameter, value in ((RATE, request["rate"]), (PITCH, request["pitch"]), (VOLUME, 100)):
+        manner = ((RATE, request["rate"]), (PITCH, request["pitch"]), (RANGE, request["range"]), (VOLUME, 100))
+        for parameter, value in manner:
             self.library.espeak_SetParameter(parameter, int(value), 0)
         text = request["text"].encode() + b"\0"
         flags = UTF8 | (SSML if request["ssml"] else 0) | (PHONEMES if request["phonemes"] else 0)

@@ -21,12 +21,13 @@ Numbers = NDArray[np.intp]
 SILENCE = "rest"
 
 SOUNDS = (SILENCE, "m", "f", "h'", "h", "r", "z", "th", "a", "a-", "e", "i", "o", "u")
-"""What is told apart: the mouth's shapes; `a-` is an a of a degree below 1 (æ, ɐ, ʌ), `n`, a Mandarin final, is h'."""
+"""What is told apart: the mouth's shapes. `a-` is an a of a degree below 1 (æ, ɐ, ʌ), h is also a sound that is hardly
+rounded (β), h' also `n`, a Mandarin final."""
 
 CLASSES = ("silence", "closed", "narrow", "open", "round")
 
-ROUND, OPEN = 0.7, 0.7
-"""From which rounding a shape is round, and from which opening (times its degree) it is open."""
+ROUND, OPEN = 0.65, 0.7
+"""From which rounding a shape is round, and from which opening it is open, each times its degree."""
 
 PARTED = Viseme("h", "sound")
 """The mouth of a p or b after its burst where no sound follows."""
@@ -39,7 +40,7 @@ def class_of(viseme: Viseme) -> str:
     opening, _, rounding, *_ = SHAPES[viseme.shape]
     if opening <= 0.0:
         return "closed"
-    if rounding >= ROUND:
+    if rounding * viseme.degree >= ROUND:
         return "round"
     return "open" if opening * viseme.degree >= OPEN else "narrow"
 
@@ -48,6 +49,8 @@ def sound_of(viseme: Viseme) -> str:
     """The row of `SOUNDS` that a shape belongs to."""
     if viseme.shape == "a" and viseme.degree < 1.0:
         return "a-"
+    if viseme.shape in ("o", "u") and class_of(viseme) == "narrow":
+        return "h"
     return "h'" if viseme.shape == "n" else viseme.shape
 
 

@@ -16,18 +16,7 @@ import numpy as np
 from facescript.speech.model import PhoneTime
 from facescript.speech.sound.recording import Recording, Samples
 from facescript.speech.sound.resample import resampled, resampled_length
-
-ARPABET = MappingProxyType(
-    dict(
-        pair.split(":")
-        for pair in (
-            "aa:ɑ ae:æ ah:ʌ ao:ɔ aw:aʊ ax:ə axr:ɚ ay:aɪ b:b ch:tʃ d:d dh:ð dx:ɾ eh:ɛ el:l em:m en:n er:ɜ ey:eɪ f:f g:ɡ "
-            "hh:h hv:h ih:ɪ iy:i jh:dʒ k:k l:l m:m n:n ng:ŋ ow:oʊ oy:ɔɪ p:p r:ɹ s:s sh:ʃ t:t th:θ uh:ʊ uw:u v:v w:w y:j "
-            "z:z zh:ʒ"
-        ).split()
-    )
-)
-"""The phones of CMU's dictionary in IPA; what is not here is silence or noise."""
+from facescript.speech.timing.alphabets import to_ipa
 
 STOPS = "pbtdkɡcɟʈɖ"
 
@@ -89,13 +78,13 @@ def labelled(segments: Sequence[tuple[str, float]], duration: float, start: floa
     """Names of CMU's phones with the seconds at which they end, from `start` to the end of the sound."""
     found: list[PhoneTime] = []
     at = 0.0
-    for name, end in [*segments, ("SIL", duration)]:
+    symbols = to_ipa([name for name, _ in segments])
+    for (_, end), (symbol, _) in zip(segments, symbols, strict=True):
         last = min(end, duration)
         if last > at:
-            symbol = ARPABET.get(name.lower().rstrip("012"), "")
             found.append(PhoneTime(symbol, start + at, start + last))
             at = last
-    return found
+    return [*found, PhoneTime("", start + at, start + duration)] if at < duration else found
 
 
 def bursting(phones: Sequence[PhoneTime]) -> Iterator[PhoneTime]:
