@@ -138,6 +138,28 @@ SPEECH: tuple[Entry, ...] = (
         files={"hello.ssml": '<speak xml:lang="fr">Bonjour.</speak>'},
     ),
     Entry(
+        "FS520",
+        "words-unknown",
+        Severity.ERROR,
+        "This line has no text, so where “{word}” is in it cannot be found.",
+        'say from "take.wav"\n    on "cup": nod\n',
+        'say "Take the cup." from "take.wav"\n    on "cup": nod\n',
+        "Write what is said before `from`, or give the moment in seconds: `at take + 1.2s:` for a line named with "
+        "`as take`.",
+        files={"take.wav": "not sound"},
+    ),
+    Entry(
+        "FS521",
+        "nothing-heard",
+        Severity.WARNING,
+        "Nobody is heard in the recording: {reason}.",
+        'say from "silence.wav"\n',
+        'say "Hello."\n',
+        "The mouth stays closed while it plays. `silence.wav` is half a second without sound.",
+        files={"silence.wav": _SILENCE},
+        stage="build",
+    ),
+    Entry(
         "FS523",
         "viseme-unreadable",
         Severity.ERROR,
