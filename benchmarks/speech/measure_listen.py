@@ -113,4 +113,9 @@ def _hour() -> Row:
     )
     done = subprocess.run([sys.executable, "-c", program], cwd=Path(__file__).parent, capture_output=True, check=True)
     grown = int(done.stdout) / 1024
-    return Row("a recording alone: memory that an hour takes besides its sound", "at most 300 MB", f"{grown:.0f} MB", grown <= 300)
+    return Row(
+        "a recording alone: memory that an hour takes besides its sound",
+        "at most 300 MB",
+        f"{grown:.0f} MB",
+        grown <= 300,
+    )

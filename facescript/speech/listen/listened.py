@@ -56,7 +56,7 @@ def listened(recording: Recording) -> tuple[PhoneTime, ...]:
 def _sounds(scores: Singles) -> Numbers:
     """The place in `SOUNDS` of each frame: the best path of classes, and inside of it the best of sounds."""
     likely = np.exp(scores)
-    classes = np.stack([likely[:, CLASS == place].sum(axis=1) for place in range(len(CLASSES))], axis=1)
+    classes = np.stack([likely[:, place == CLASS].sum(axis=1) for place in range(len(CLASSES))], axis=1)
     shortest = np.array([SHORTEST[name] for name in CLASSES])
     kept = best_path(np.log(classes + FAINTEST), shortest, CHANGE)
     inside = np.where(kept[:, None] == CLASS, scores, scores + 10.0 * np.log(FAINTEST))
