@@ -6,7 +6,7 @@ import os
 import re
 import subprocess
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -23,6 +23,7 @@ IPA = {"o-": "ɤ", "s.": "ʂ", "ts.": "tʂ", "ts.h": "tʂh", "onɡ": "oŋ", "ᵻ
 """espeak-ng's own names that come for IPA in its events, and the IPA that they mean."""
 
 RUSSIAN = {"y": "ɨ"}
+
 
 @dataclass(frozen=True, slots=True)
 class Take:
