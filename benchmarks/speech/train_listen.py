@@ -7,6 +7,7 @@ A quarter of an hour on one core; the same machine and libraries give the same w
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -91,7 +92,7 @@ class Adam:
     """Layers of weights, and what their gradients were."""
 
     def __init__(self, sizes: Sequence[int], rng: Generator) -> None:
-        shapes = list(zip(sizes, sizes[1:], strict=False))
+        shapes = list(pairwise(sizes))
         self.layers = [np.vstack([rng.normal(0.0, a**-0.5, (a, b)), np.zeros((1, b))]) for a, b in shapes]
         self.layers = [layer.astype(np.float32) for layer in self.layers]
         self.means = [np.zeros_like(layer) for layer in self.layers]
