@@ -52,6 +52,10 @@ def write_split(job: Job, target: Path, batch: Outputs) -> None:
 def page(job: Job, folder: str = "") -> Page:
     """The page of a job; with a `folder`, sound and motion are files of that folder beside it. Raises `JobFailure`."""
     wish = job.page
+    if wish.template == "book":
+        from facescript.backends.page.book import book_page  # it is made of what is here
+
+        return book_page(job, folder)
     template = resource(f"{wish.template}.html") if wish.brought is None else wish.brought
     return assembled(job, template, placeholders(job, lines(job.score, job.start, job.end)), folder)
 
@@ -74,7 +78,7 @@ def placeholders(job: Job, said: Sequence[Line]) -> dict[str, str]:
 def assembled(job: Job, template: str, parts: Mapping[str, str], folder: str = "", scripts: Sequence[str] = ()) -> Page:
     """A template with its placeholders' `parts`, the player, further `scripts`, and the film they play."""
     script = f'(() => {{\n"use strict";\n{resource("face.js")}\n{resource("player.js")}\n}})();\n'
-    sound, moved = _sound(job), motion(job)
+    sound, moved = mp3(job.heard), motion(job)
     film = {**figure(job.stage, moved), "duration": round(job.end - job.start, 3), "folder": quote(folder)}
     address, files, motions = _within(sound, moved) if not folder else _beside(sound, moved, quote(folder))
     end = [
@@ -121,11 +125,6 @@ def _face(job: Job, title: str) -> str:
         f'<button class="fs-begin" type="button" data-facescript="play" data-key="space" aria-label="Play">'
         '<svg viewBox="0 0 24 24" aria-hidden="true"><path d="M6 4v16l14-8z"/></svg></button>\n</div>'
     )
-
-
-def _sound(job: Job) -> bytes | None:
-    heard = job.heard
-    return None if heard.silent else mp3(heard.blocks(), heard.rate)
 
 
 def _within(sound: bytes | None, moved: Motion) -> tuple[str, dict[str, bytes], str]:

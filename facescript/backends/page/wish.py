@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-TEMPLATES = ("plain", "announcer")
+TEMPLATES = ("plain", "announcer", "book")
 """Those that come with the program, each a file of its name in this folder."""
 
 

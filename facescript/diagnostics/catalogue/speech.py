@@ -163,6 +163,36 @@ SPEECH: tuple[Entry, ...] = (
         stage="build",
     ),
     Entry(
+        "FS523",
+        "viseme-unreadable",
+        Severity.ERROR,
+        "The viseme of `{sound}` cannot be read: {reason}.",
+        'viseme "θ" = smile\n\nsay "Thanks."\n',
+        'viseme "θ" = "s" 80%\n\nsay "Thanks."\n',
+        "A viseme says how the mouth is at a sound: as at another one, at a degree, or with a shape of its own, made "
+        "of the mouth's channels (`mouth.upper 10% + mouth.lower 20% + mouth.tongue 100%`).",
+    ),
+    Entry(
+        "FS524",
+        "viseme-twice",
+        Severity.ERROR,
+        "The sound `{sound}` has a viseme already.",
+        'viseme "θ" = "s"\nviseme "θ" = "f"\n\nsay "Thanks."\n',
+        'viseme "θ" = "s"\nviseme "ð" = "z"\n\nsay "Thanks."\n',
+        "A sound has one shape in a whole film, whichever file says so.",
+    ),
+    Entry(
+        "FS525",
+        "sound-unknown",
+        Severity.HINT,
+        "No mouth shape is known for the sound `{sound}`; the mouth takes a middle one.",
+        'say "Oh."\n',
+        'viseme "ꙮ" = "o"\n\nsay "Oh."\n',
+        "A voice that an author brings, or a file of times, has a sound that the table of visemes does not: a "
+        'definition such as `viseme "ꙮ" = "o"` says what the mouth does. All voices of espeak-ng are in the table.',
+        stage="unforced",
+    ),
+    Entry(
         "FS535",
         "link-address",
         Severity.ERROR,
