@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -119,7 +118,7 @@ def test_a_stop_is_shut_before_its_burst_and_not_behind_it() -> None:
 
 
 @pytest.mark.usefixtures("synthesiser")
-def test_a_line_without_text_is_heard_and_silence_is_told_of(tmp_path: Path) -> None:
+def test_a_line_without_text_is_heard_and_silence_is_told_of() -> None:
     spoken = open_voice().speak(line("Hello."))
     found = alone(Recording(np.frombuffer(spoken.pcm, dtype="<i2"), spoken.rate), "de")
     assert (found.pcm, found.words, found.doubts) == (spoken.pcm, (), ())

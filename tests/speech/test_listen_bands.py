@@ -45,7 +45,7 @@ def test_energy_is_the_logarithm_of_the_squares() -> None:
 def test_every_rate_gives_the_same() -> None:
     tones = (180.0, 700.0, 1900.0, 3300.0)
     low, high = (features(sum(tone(each, rate, height=0.2) for each in tones), rate)[3:-3] for rate in (16_000, 48_000))
-    assert low == pytest.approx(high, abs=0.25)
+    assert low[:, [1, 3, 7, 9, ENERGY]] == pytest.approx(high[:, [1, 3, 7, 9, ENERGY]], abs=0.1)
 
 
 def test_a_band_beyond_a_sounds_rate_is_silent() -> None:

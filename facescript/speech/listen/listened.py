@@ -1,4 +1,4 @@
-"""A recording alone to phones: what is heard in each frame, smoothed to sounds that last, as IPA that the mouth knows."""
+"""A recording alone to phones: what is heard in each frame, smoothed to sounds that last, in IPA."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ SPEAKING, FLOOR = 3.0, 4.5
 """How far below that, in powers of ten, a frame still counts as speech, and where everything is as silent as can be."""
 
 USUAL = 90.0
-"""Frames of the usual speaker that are thought before every recording, so that a short one does not stand for itself."""
+"""Frames of the usual speaker that are put before every recording, for a short one is not like itself."""
 
 HERTZ = 150.0
 """F0 that is 0 in the octaves that are told."""
