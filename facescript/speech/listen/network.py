@@ -14,7 +14,7 @@ from importlib.resources import files
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.speech.listen.bands import BETWEEN, CENTRES, ENERGY, F0, FAINTEST
+from facescript.speech.listen.bands import BETWEEN, CENTRES, ENERGY, F0, FAINTEST, product
 
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
@@ -88,8 +88,8 @@ class Network:
 
     def _through(self, values: Singles) -> Singles:
         for layer in self.layers[:-1]:
-            values = np.tanh(values @ layer[:-1] + layer[-1])
-        scores = values @ self.layers[-1][:-1] + self.layers[-1][-1]
+            values = np.tanh(product(values, layer[:-1]) + layer[-1])
+        scores = product(values, self.layers[-1][:-1]) + self.layers[-1][-1]
         scores -= scores.max(axis=1, keepdims=True)
         likely: Singles = scores - np.log(np.exp(scores).sum(axis=1, keepdims=True))
         return likely
