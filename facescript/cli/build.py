@@ -20,7 +20,13 @@ from facescript.compile import Compiled
 from facescript.diagnostics.catalogue import diagnose
 from facescript.world import World, WorldFailure
 
+BURNT = (".mp4", ".webm", ".gif", ".png")
+"""Outputs into which captions can be burned."""
+
 CLEAR_OUTPUTS = "`.webm`, `.gif`, `.png` and `.svg`"
+
+LARGEST_FONT = 64 * 1024 * 1024
+"""Bytes of a font."""
 
 MOST_JOBS = 64
 """Processes that draw at once, whatever is asked for."""
@@ -57,6 +63,21 @@ def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None
             raise OptionFault("FS905", option="--at", fitting=".png and .svg", suffix=backend.suffix)
         if is_numbered(target) and backend.suffix != ".png":
             raise OptionFault("FS905", option="%d", fitting=".png", suffix=backend.suffix)
+    _fit_captions(options, [backend.suffix for _, backend in wanted])
+
+
+def _fit_captions(options: argparse.Namespace, suffixes: list[str]) -> None:
+    """`--captions` and `--font` need an output that has them."""
+    how = options.captions
+    if how not in (None, "words", "sentences", "burn"):
+        raise OptionFault("FS904", option="--captions", value=how, example="words")
+    takes = BURNT if how == "burn" else (".vtt", ".srt")
+    if how is not None and not set(takes) & set(suffixes):
+        raise OptionFault("FS905", option=f"--captions {how}", fitting=" and ".join(takes), suffix=suffixes[0])
+    if options.font is not None and how != "burn":
+        raise OptionFault(
+            "FS905", option="--font", fitting="`--captions burn`", suffix=f"--captions {how or 'sentences'}"
+        )
 
 
 def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress: Progress) -> Job:
@@ -69,7 +90,20 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     start, end = stretch(options, score.duration)
     at = _moment(options, score.duration)
     jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
-    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step)
+    manner = options.captions or "sentences", _font(options.font)
+    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, *manner)
+
+
+def _font(name: str | None) -> bytes | None:
+    """The bytes of the font that `--font` names. Raises `OptionFault`."""
+    if name is None:
+        return None
+    try:
+        if Path(name).stat().st_size > LARGEST_FONT:
+            raise OptionFault("FS901", name=name, reason=f"it is larger than {LARGEST_FONT >> 20} MiB")
+        return Path(name).read_bytes()
+    except OSError as fault:
+        raise OptionFault("FS901", name=name, reason=fault.strerror or "it cannot be read") from None
 
 
 def _moment(options: argparse.Namespace, duration: float) -> float | None:
