@@ -27,7 +27,7 @@ NEAR = 8
 BRIEF = 24
 """Columns of a sentence so short that the next may stand beside it."""
 
-CUT, UNEVEN, ONE_MORE, HALVED = 1.0, 1.5, 0.6, 0.35
+CUT, UNEVEN, ONE_MORE, HALVED = 2.0, 1.5, 0.6, 0.35
 """What it costs to end a caption inside a clause, to leave it empty, to make another, and to end a line in a clause."""
 
 
