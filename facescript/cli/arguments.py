@@ -41,6 +41,8 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--from", dest="start", metavar="TIME", help="begin there, 2s")
     parser.add_argument("--to", dest="end", metavar="TIME", help="end there, 5s")
     parser.add_argument("--at", metavar="TIME", help="one moment only: a still")
+    parser.add_argument("--captions", metavar="HOW", help="words or sentences in .vtt and .srt, burn for films")
+    parser.add_argument("--font", metavar="FILE", help="with --captions burn: a font that has their signs")
     parser.add_argument("--jobs", metavar="N", help="how many processes draw")
     parser.add_argument("--page", metavar="TEMPLATE", help="for .html: plain, announcer, or an .html of your own")
     parser.add_argument("--title", metavar="TEXT", help="for .html: the title")
