@@ -67,7 +67,7 @@ def test_characters_are_read_in_their_words(simplified: str, traditional: str, e
         ("不是，不好", "bu2 shi4 , bu4 hao3"),
         ("我很好", "wo3 hen2 hao3"),
         ("我想买水果", "wo3 xiang2 mai3 shui2 guo3"),
-        ("老板好", "lao2 ban2 hao3"),
+        ("体检表", "ti2 jian2 biao3"),
         ("你，好", "ni3 , hao3"),
         ("“你”好", "ni2 hao3"),
     ],
