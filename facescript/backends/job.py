@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.backends.page.wish import PageWish
 from facescript.ir.acts import Say
 from facescript.ir.play import Play
 from facescript.motion.perform import perform
@@ -42,7 +43,7 @@ class Job:
     """A film to be put out, seconds `start` to `end` of it, or the one moment `at`.
 
     `pictures` reads a background picture's bytes by its path in the project; `jobs` is how many processes draw, 0 for
-    as many as suit the machine.
+    as many as suit the machine; `page` is what an `.html` is to be.
     """
 
     play: Play
@@ -53,6 +54,7 @@ class Job:
     at: float | None = None
     jobs: int = 0
     progress: Progress = quiet
+    page: PageWish = field(default_factory=PageWish)
 
     @cached_property
     def performance(self) -> Performance:

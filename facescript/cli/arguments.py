@@ -42,6 +42,10 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--to", dest="end", metavar="TIME", help="end there, 5s")
     parser.add_argument("--at", metavar="TIME", help="one moment only: a still")
     parser.add_argument("--jobs", metavar="N", help="how many processes draw")
+    parser.add_argument("--page", metavar="TEMPLATE", help="for .html: plain, announcer, or an .html of your own")
+    parser.add_argument("--title", metavar="TEXT", help="for .html: the title")
+    parser.add_argument("--subtitle", metavar="TEXT", help="for .html: the line below the title")
+    parser.add_argument("--split", action="store_true", help="for .html: sound and motion in a folder beside it")
     parser.add_argument("--draft", action="store_true", help="half the size, for a quick look")
     parser.add_argument("--quiet", action="store_true", help="no progress")
 

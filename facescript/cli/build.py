@@ -12,7 +12,9 @@ from facescript.backends.output import Outputs, outputs
 from facescript.backends.registry import LATER, Backend, backends
 from facescript.backends.stills import write_pngs
 from facescript.cli.outputs import no_kind, put, suffix_of, targets
+from facescript.cli.pages import page_wish
 from facescript.cli.progress import Progress
+from facescript.cli.project import STANDARD
 from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.script import compile_named
 from facescript.cli.settings import count, seconds, stretch
@@ -21,6 +23,9 @@ from facescript.diagnostics.catalogue import diagnose
 from facescript.world import World, WorldFailure
 
 CLEAR_OUTPUTS = "`.webm`, `.gif`, `.png` and `.svg`"
+
+PAGE_OPTIONS = ("page", "title", "subtitle", "split")
+"""Options that pages alone have."""
 
 MOST_JOBS = 64
 """Processes that draw at once, whatever is asked for."""
@@ -55,6 +60,11 @@ def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None
     for target, backend in wanted:
         if options.at is not None and not backend.still:
             raise OptionFault("FS905", option="--at", fitting=".png and .svg", suffix=backend.suffix)
+        for option in PAGE_OPTIONS if backend.suffix != ".html" else ():
+            if getattr(options, option):
+                raise OptionFault("FS905", option=f"--{option}", fitting=".html", suffix=backend.suffix)
+        if options.split and target == STANDARD:
+            raise OptionFault("FS905", option="--split", fitting="named .html", suffix=target)
         if is_numbered(target) and backend.suffix != ".png":
             raise OptionFault("FS905", option="%d", fitting=".png", suffix=backend.suffix)
 
@@ -69,7 +79,8 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     start, end = stretch(options, score.duration)
     at = _moment(options, score.duration)
     jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
-    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step)
+    page = page_wish(options, world)
+    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page)
 
 
 def _moment(options: argparse.Namespace, duration: float) -> float | None:
@@ -105,7 +116,11 @@ def _warn(job: Job, wanted: list[tuple[str, Backend]]) -> None:
 
 def _write(job: Job, target: str, backend: Backend, batch: Outputs) -> None:
     write = backend.load()
-    if is_numbered(target):
+    if job.page.split:
+        from facescript.backends.page.document import write_split
+
+        write_split(job, Path(target), batch)
+    elif is_numbered(target):
         write_pngs(job, [batch.place(Path(target % (number + 1))) for number in range(len(job.times()))])
     else:
         put(target, backend.suffix, batch, lambda path: write(job, path))

@@ -116,9 +116,9 @@ COMMAND: tuple[Entry, ...] = (
         "`{suffix}` outputs are part of the language's design and not in this version; this one makes {known}.",
         HELLO,
         HELLO,
-        "`.html`, `.vtt` and `.srt` are reserved for later versions.",
+        "`.vtt` and `.srt` are reserved for later versions.",
         stage="command",
-        command=("build", "script.face", "-o", "page.html"),
+        command=("build", "script.face", "-o", "words.vtt"),
     ),
     Entry(
         "FS911",

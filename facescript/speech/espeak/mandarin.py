@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict, replace
 
 from facescript.ir.acts import Voice
 from facescript.speech.espeak import alphabetic
 from facescript.speech.espeak.client import Espeak, Sound, Utterance
 from facescript.speech.espeak.manner import Manner, Voices
-from facescript.speech.espeak.parts import RATE, Part, joined, phones, trimmed
+from facescript.speech.espeak.parts import RATE, Part, Take, Trim, joined, phones, trimmed, unheard
 from facescript.speech.lines import Piece
 from facescript.speech.mandarin.syllables import timed
 from facescript.speech.mandarin.units import Unit, units
@@ -26,16 +27,17 @@ SILENCE = 0.1
 """A longer gap between syllables is a silence of its own, in seconds."""
 
 
-def speak(espeak: Espeak, piece: Piece, line: str, voices: Voices, voice: Voice) -> Part:
-    """The piece spoken; `line` is the whole text, the context in which characters are read. Raises `VoiceFailure`."""
+def speak(espeak: Espeak, piece: Piece, line: str, voices: Voices, voice: Voice, take: Take = unheard) -> Part:
+    """The piece spoken; `line` is the whole text, the context in which characters are read; `take` gets the sound
+    meanwhile. Raises `VoiceFailure`."""
     parts: list[Part | float] = []
     for run in _runs(units(piece, line)):
         if run[0].foreign:
             within = Piece(run[0].foreign, piece.first + run[0].first, piece.first + run[0].last, ())
-            manner = voices.manner(Voice(run[0].language, voice.variant, voice.rate, voice.pitch))
-            parts.append(alphabetic.speak(espeak, within, manner))
+            manner = voices.manner(replace(voice, language=run[0].language))
+            parts.append(alphabetic.speak(espeak, within, manner, take))
         else:
-            parts.append(_speak_run(espeak, piece, run, voices.manner(voice)))
+            parts.append(_speak_run(espeak, piece, run, voices.manner(voice), take))
     return joined(parts)
 
 
@@ -54,7 +56,7 @@ def _runs(found: Sequence[Unit]) -> Iterator[list[Unit]]:
         yield run
 
 
-def _speak_run(espeak: Espeak, piece: Piece, run: Sequence[Unit], manner: Manner) -> Part:
+def _speak_run(espeak: Espeak, piece: Piece, run: Sequence[Unit], manner: Manner, take: Take) -> Part:
     text, places = "", []
     ssml = any(unit.stressed for unit in run)
     for unit, before, after in zip(run, [None, *run], [*run[1:], None], strict=False):
@@ -68,10 +70,11 @@ def _speak_run(espeak: Espeak, piece: Piece, run: Sequence[Unit], manner: Manner
         if unit.stressed and not (after and after.stressed):
             text += alphabetic.EMPHASIS[1]
     text = text.rstrip()
-    sound = espeak.speak(
-        Utterance(text if text[-1] in ".?!,;:" else text + ",", manner.voice, manner.rate, manner.pitch, ssml)
-    )
-    return _timed(piece, run, places, sound)
+    trim = Trim(take)
+    said = text if text[-1] in ".?!,;:" else text + ","
+    part = _timed(piece, run, places, espeak.speak(Utterance(said, **asdict(manner), ssml=ssml), trim))
+    trim.finish(part)
+    return part
 
 
 def _timed(piece: Piece, run: Sequence[Unit], places: list[int], sound: Sound) -> Part:
