@@ -24,7 +24,7 @@ from facescript.world import World, WorldFailure
 
 CLEAR_OUTPUTS = "`.webm`, `.gif`, `.png` and `.svg`"
 
-PAGE_OPTIONS = ("page", "title", "subtitle", "split")
+PAGE_OPTIONS = ("page", "split")
 """Options that pages alone have."""
 
 MOST_JOBS = 64
