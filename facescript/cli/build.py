@@ -27,7 +27,7 @@ BURNT = (".mp4", ".webm", ".gif", ".png")
 
 CLEAR_OUTPUTS = "`.webm`, `.gif`, `.png` and `.svg`"
 
-PAGE_OPTIONS = ("page", "title", "subtitle", "split")
+PAGE_OPTIONS = ("page", "split")
 """Options that pages alone have."""
 
 LARGEST_FONT = 64 * 1024 * 1024
