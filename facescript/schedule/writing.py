@@ -64,6 +64,7 @@ class Writing:
             tuple(self._markers()),
             duration,
             any(line.spoken.estimated for line in lines),
+            self.play.visemes,
         )
 
     # -------------------------------------------------------------------------------------------- acts
