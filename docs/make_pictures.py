@@ -109,6 +109,7 @@ GALLERY = {
     "track": 7.5,
     "cueing": 0.6,
     "monster": 0.9,
+    "book": 12.3,
 }
 """Examples in the order of the gallery, and the moment of each that it shows, s."""
 
