@@ -22,7 +22,7 @@ from facescript.cli.settings import count, seconds, stretch
 from facescript.compile import Compiled
 from facescript.world import World, WorldFailure
 
-PAGE_OPTIONS = ("page", "title", "subtitle", "split")
+PAGE_OPTIONS = ("page", "split")
 """Options that pages alone have."""
 
 MOST_JOBS = 64
