@@ -112,6 +112,7 @@ GALLERY = {
     "timed": 2.8,
     "marks": 1.8,
     "monster": 0.9,
+    "book": 12.3,
 }
 """Examples in the order of the gallery, and the moment of each that it shows, s."""
 

@@ -11,6 +11,7 @@ from facescript.backends.numbered import is_numbered
 from facescript.backends.output import Outputs, outputs
 from facescript.backends.registry import Backend, backends
 from facescript.backends.stills import write_pngs
+from facescript.cli.losses import losses
 from facescript.cli.outputs import no_kind, put, suffix_of, targets
 from facescript.cli.pages import page_wish
 from facescript.cli.progress import Progress
@@ -19,13 +20,10 @@ from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.script import compile_named
 from facescript.cli.settings import count, seconds, stretch
 from facescript.compile import Compiled
-from facescript.diagnostics.catalogue import diagnose
 from facescript.world import World, WorldFailure
 
 BURNT = (".mp4", ".webm", ".gif", ".png")
 """Outputs into which captions can be burned."""
-
-CLEAR_OUTPUTS = "`.webm`, `.gif`, `.png` and `.svg`"
 
 PAGE_OPTIONS = ("page", "split")
 """Options that pages alone have."""
@@ -124,7 +122,7 @@ def _moment(options: argparse.Namespace, duration: float) -> float | None:
 
 
 def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> int:
-    _warn(job, wanted)
+    show(losses(job, wanted))
     target = ""
     try:
         with outputs() as batch:
@@ -136,14 +134,6 @@ def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> in
     except OSError as fault:
         return refuse("FS903", path=target, reason=fault.strerror or "it cannot be written")
     return 0
-
-
-def _warn(job: Job, wanted: list[tuple[str, Backend]]) -> None:
-    """Tell of outputs that cannot be transparent where the script asks for it."""
-    opaque = [target for target, backend in wanted if backend.opaque]
-    clear = job.stage.clear if opaque else None
-    if clear is not None:
-        show(diagnose("FS915", clear.span, path=target, fitting=CLEAR_OUTPUTS) for target in opaque)
 
 
 def _write(job: Job, target: str, backend: Backend, batch: Outputs) -> None:
