@@ -127,12 +127,13 @@ class Cue:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause" or "reading".
+    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause", "reading" or "mark".
 
-    `value` is a pause's seconds as text or a reading as written; a breath and a pause have start == end.
+    `value` is a pause's seconds as text, a reading as written, or the name of a mark; a breath, a pause and a mark have
+    start == end.
     """
 
-    kind: Literal["stress", "breath", "pause", "reading"]
+    kind: Literal["stress", "breath", "pause", "reading", "mark"]
     start: int
     end: int
     value: str = ""
@@ -208,7 +209,40 @@ class SetLife:
     over: Amount = 0.0
 
 
-Verb = Look | Glance | Scan | Show | Add | Drop | Gesture | Say | Wait | WaitUntil | SetBackground | View | SetLife
+@dataclass(frozen=True, slots=True)
+class SetPicture:
+    """The picture beside the face in a book: its path inside the project, None for none; `caption` is also said in
+    its place."""
+
+    picture: str | None
+    caption: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class AddLink:
+    """A link beside the face in a book from here to the scene's end: an http, https or mailto address, and its text."""
+
+    address: str
+    text: str
+
+
+Verb = (
+    Look
+    | Glance
+    | Scan
+    | Show
+    | Add
+    | Drop
+    | Gesture
+    | Say
+    | Wait
+    | WaitUntil
+    | SetBackground
+    | View
+    | SetLife
+    | SetPicture
+    | AddLink
+)
 
 # ------------------------------------------------------------------------------------------------ blocks
 

@@ -12,6 +12,7 @@ from facescript.resolve.place import Place
 from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
 from facescript.resolve.scope import GLOBAL, Scope, expand, inside
+from facescript.resolve.ssml import read_ssml
 from facescript.resolve.sums import left_over
 from facescript.resolve.texts import Inline, Piece, pieces_of, read_text
 from facescript.resolve.units import SHARE
@@ -32,15 +33,58 @@ def say(project: Project, line: Line, place: Place, more: tuple[String, ...]) ->
     reader = line.reader()
     reader.next()
     recording, times = _named(project, line, "from"), _named(project, line, "timed")
+    if reader.word("ssml"):
+        return _ssml(project, line, reader, place, more, recording, times), ()
     pieces, scope = _pieces(project, reader, more, recording is not None)
     line.finish(reader)
-    voice = spoken_with(project.faces[place.face].voice if place.face in project.faces else Voice(), line)
+    voice = spoken_with(_voice_of(project, place), line)
     if recording is not None:
         _as_it_was(project, line)
     if not pieces:
         return Say("", voice, recording=recording, times=times), ()
     text = read_text(project, pieces, scope, line.span)
     return Say(text.plain, voice, text.stretches, recording=recording, times=times), text.inlines
+
+
+def _ssml(
+    project: Project,
+    line: Line,
+    reader: Reader,
+    place: Place,
+    more: tuple[String, ...],
+    recording: str | None,
+    times: str | None,
+) -> Say:
+    """A line whose text is a file of SSML. Raises `Refused`."""
+    source = _file(project, reader, "ssml")[0]
+    _nothing_more(project, more)
+    line.finish(reader)
+    voice = spoken_with(_voice_of(project, place), line)
+    if recording is not None:
+        _as_it_was(project, line)
+    found = read_ssml(project, source, line.span)
+    if found.language and _primary(found.language) != _primary(voice.language):
+        project.report("FS519", line.span, written=found.language, voice=voice.language)
+    manner = found.manner
+    voice = replace(
+        voice, rate=voice.rate * manner.rate, pitch=voice.pitch * manner.pitch, volume=voice.volume * manner.volume
+    )
+    return Say(found.text.plain, voice, found.text.stretches, recording=recording, times=times)
+
+
+def _primary(language: str) -> str:
+    """The language without its country; Chinese is Mandarin, whatever it is called."""
+    first = language.lower().replace("_", "-").split("-")[0]
+    return "cmn" if first == "zh" else first
+
+
+def _voice_of(project: Project, place: Place) -> Voice:
+    return project.faces[place.face].voice if place.face in project.faces else Voice()
+
+
+def _nothing_more(project: Project, more: tuple[String, ...]) -> None:
+    for string in more:
+        project.report("FS312", string.span, text=string.span.text, advice="the line's text stands elsewhere")
 
 
 def _named(project: Project, line: Line, modifier: str) -> str | None:
@@ -79,8 +123,7 @@ def _pieces(
     """The text of a line, and the scope that it was written in: a parameter's is the caller's. Raises `Refused`."""
     found = _elsewhere(project, reader)
     if found is not None:
-        for string in more:
-            project.report("FS312", string.span, text=string.span.text, advice="the line's text stands elsewhere")
+        _nothing_more(project, more)
         return found
     strings = []
     while isinstance(word := reader.peek(), String):
@@ -94,7 +137,7 @@ def _pieces(
 def _elsewhere(project: Project, reader: Reader) -> tuple[tuple[Piece, ...], Scope] | None:
     """A text in a file, in a cell of a table, or behind a name (a parameter, a `let`); None where it stands here."""
     if reader.word("text"):
-        return (_file(project, reader),), reader.scope
+        return (_file(project, reader, "text"),), reader.scope
     word = reader.peek()
     expansion = expand(project, word, reader.scope) if isinstance(word, Name | Dotted) else None
     if word is None or expansion is None:
@@ -111,11 +154,11 @@ def _elsewhere(project: Project, reader: Reader) -> tuple[tuple[Piece, ...], Sco
     return found
 
 
-def _file(project: Project, reader: Reader) -> Piece:
+def _file(project: Project, reader: Reader, kind: str) -> Piece:
     word = reader.next()
     if not isinstance(word, String):
         span = word.span if word is not None else reader.span
-        raise project.refuse("FS312", span, text=span.text, advice='it is written `say text "FILE"`')
+        raise project.refuse("FS312", span, text=span.text, advice=f'it is written `say {kind} "FILE"`')
     try:
         source = project.world.source(project_path(word.span, word.value))
     except WorldFailure as failure:

@@ -14,7 +14,7 @@ class KnownTimes:
     """A `VoiceBox` without a voice. A line that was spoken before has its own times, every other is `estimated`."""
 
     def __init__(self, world: World) -> None:
-        self._world, self._estimates = world, EstimatedVoice()
+        self._world, self._estimates = world, EstimatedVoice(world)
 
     def speak(self, line: Say) -> Spoken:
         estimate = self._estimates.speak(line)
