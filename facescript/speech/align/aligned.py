@@ -69,7 +69,7 @@ class _Aligner:
         self.bands = spectrum(recording.samples, recording.rate, HOP)
         self.spoken = speaking(self.bands, HOP)
         self.spans = sentences(line)
-        self.first = [reference(line, span, VOICES[0], voice) for span in self.spans]
+        self.first = [self._reference(span, VOICES[0]) for span in self.spans]
 
     def aligned(self, pauses: Sequence[Stretch] | None) -> Alignment:
         unlikely = unlike(self.spoken, sum(each.duration for each in self.first))
@@ -112,9 +112,12 @@ class _Aligner:
         edges = Edges(self.recording.samples[begin:end], rate, begin / rate)
         return _Part(found, edges.labelled(found.phones))
 
+    def _reference(self, span: tuple[int, int], variant: str) -> Reference:
+        return reference(self.line, span, variant, self.voice, self.bands.shape[1])
+
     def _voices(self, task: _Task) -> list[Reference]:
         spans = self.spans[task.first : task.last]
-        others = (joined([reference(self.line, span, name, self.voice) for span in spans]) for name in VOICES[1:])
+        others = (joined([self._reference(span, name) for span in spans]) for name in VOICES[1:])
         return [joined(self.first[task.first : task.last]), *others]
 
     def _joined(self, parts: Sequence[_Part]) -> Alignment:
