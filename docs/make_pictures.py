@@ -109,7 +109,10 @@ GALLERY = {
     "idle": 5.2,
     "track": 7.5,
     "cueing": 0.6,
+    "timed": 2.8,
+    "marks": 1.8,
     "monster": 0.9,
+    "book": 12.3,
 }
 """Examples in the order of the gallery, and the moment of each that it shows, s."""
 
