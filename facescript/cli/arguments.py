@@ -44,6 +44,10 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--captions", metavar="HOW", help="words or sentences in .vtt and .srt, burn for films")
     parser.add_argument("--font", metavar="FILE", help="with --captions burn: a font that has their signs")
     parser.add_argument("--jobs", metavar="N", help="how many processes draw")
+    parser.add_argument("--page", metavar="TEMPLATE", help="for .html: plain, announcer, or an .html of your own")
+    parser.add_argument("--title", metavar="TEXT", help="for .html: the title")
+    parser.add_argument("--subtitle", metavar="TEXT", help="for .html: the line below the title")
+    parser.add_argument("--split", action="store_true", help="for .html: sound and motion in a folder beside it")
     parser.add_argument("--draft", action="store_true", help="half the size, for a quick look")
     parser.add_argument("--quiet", action="store_true", help="no progress")
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from facescript.ir.acts import Say
-from facescript.motion.mouth import MouthTrack, values
+from facescript.motion.mouth import MouthTrack
 from facescript.owners.model import Part, Source, statement
 from facescript.performance.channels import MOUTH
 from facescript.schedule.phrases import percent
@@ -33,7 +33,7 @@ def shapes(track: MouthTrack, part: str, time: float, lines: Lines) -> tuple[Par
     """The shapes that weigh, two at most (rule 4): each one's value of `mouth.part`, and its weight."""
     if not track.shapes:
         return ()
-    firsts, seconds, weights = track.weights(np.array([time]))
+    firsts, seconds, weights = track.weights(np.array([time]), part)
     weight, column = float(weights[0]), MOUTH.index(part)
     found = []
     for index, share in ((int(firsts[0]), 1.0 - weight), (int(seconds[0]), weight)):
@@ -43,7 +43,7 @@ def shapes(track: MouthTrack, part: str, time: float, lines: Lines) -> tuple[Par
             said = lines.near((shape.on + shape.off) / 2.0)
             assert said is not None, "a shape is a line's"
             source = Source(f"mouth shape {shape.name}{degree}", said.file, said.line, said.label)
-            found.append(Part(source, float(values(shape)[column]), share))
+            found.append(Part(source, float(shape.values[column]), share))
     return tuple(found)
 
 

@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any
 
 from facescript.ir.acts import At, Choose, Cue, Do, Node, Say, Sequence, Together, Verb
-from facescript.resolve import background, gaze, shows, speech, stage
+from facescript.resolve import background, beside, gaze, shows, speech, stage
 from facescript.resolve.actions import call
 from facescript.resolve.lines import Line
 from facescript.resolve.marks import check_word
@@ -38,6 +38,8 @@ HANDLERS: dict[str, Handler] = {
     "background": background.background,
     "view": stage.view,
     "life": stage.life,
+    "picture": beside.picture,
+    "link": beside.link,
 }
 
 ROWS: dict[str, Mapping[str, Modifier]] = {
@@ -183,7 +185,7 @@ def _word_cues(project: Project, act: tree.Act, said: Say, place: Place) -> tupl
     cues = []
     spoilt = project.is_spoilt(act.span)
     for on in act.ons:
-        fits = not said.text or spoilt or check_word(project, said, on.word.value, on.nth, on.word.span)
+        fits = spoilt or check_word(project, said, on.word.value, on.nth, on.word.span)
         body = block(project, on.body, place, on.span)
         if fits:
             cues.append(Cue(body, word=on.word.value, nth=on.nth))

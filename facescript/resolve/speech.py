@@ -16,6 +16,7 @@ from facescript.resolve.ssml import read_ssml
 from facescript.resolve.sums import left_over
 from facescript.resolve.texts import Inline, Piece, pieces_of, read_text
 from facescript.resolve.units import SHARE
+from facescript.speech.voices.registry import ENGINES
 from facescript.syntax.tree import Dotted, Name, String, Word
 from facescript.text import Source, Span
 from facescript.world import WorldFailure
@@ -24,7 +25,7 @@ _LANGUAGE = re.compile(r"[a-z]{2,3}(-[a-z0-9]{1,8})*")
 _VARIANT = re.compile(r"[A-Za-z][\w-]*")
 
 SLOWEST = 0.1
-"""The smallest `rate`, `pitch` or `volume` factor but 0 volume."""
+"""The smallest `rate` or `pitch` factor."""
 
 
 def say(project: Project, line: Line, place: Place, more: tuple[String, ...]) -> tuple[Say, tuple[Inline, ...]]:
@@ -94,19 +95,24 @@ def _named(project: Project, line: Line, modifier: str) -> str | None:
     if len(words) != 1 or not isinstance(words[0], String):
         span = line.spans[modifier]
         raise project.refuse("FS312", span, text=span.text, advice=f'it is written `{modifier} "FILE"`')
-    path = project_path(words[0].span, words[0].value)
+    return _path(project, words[0])
+
+
+def _path(project: Project, word: String) -> str:
+    """The path in the project of a file that is there. Raises `Refused`."""
+    path = project_path(word.span, word.value)
     try:
         found = project.world.path(path).is_file()
     except WorldFailure as failure:
-        raise project.refuse("FS701", words[0].span, path=words[0].value, reason=failure.args[0]) from None
+        raise project.refuse("FS701", word.span, path=word.value, reason=failure.args[0]) from None
     if not found:
-        raise project.refuse("FS701", words[0].span, path=words[0].value, reason="there is no such file")
+        raise project.refuse("FS701", word.span, path=word.value, reason="there is no such file")
     return path
 
 
 def _as_it_was(project: Project, line: Line) -> None:
-    """A recording is heard as it was spoken: its rate and pitch are not for the script to say."""
-    for name in ("rate", "pitch"):
+    """A recording is heard as it was spoken: its rate and melody are not for the script to say."""
+    for name in ("rate", "pitch", "range"):
         if name in line.parts:
             project.report("FS506", line.spans[name], name=name)
 
@@ -161,29 +167,31 @@ def _file(project: Project, reader: Reader, kind: str) -> Piece:
 
 
 def spoken_with(voice: Voice, line: Line) -> Voice:
-    """A voice with a line's `rate pitch volume`, each a factor of the voice's own. Raises `Refused`."""
-    rate = line.factor("rate", SHARE, SLOWEST)
-    pitch = line.factor("pitch", SHARE, SLOWEST)
-    volume = line.factor("volume", SHARE)
-    if rate is None and pitch is None and volume is None:
-        return voice
-    return Voice(
-        voice.language,
-        voice.variant,
-        voice.rate * (1.0 if rate is None else rate),
-        voice.pitch * (1.0 if pitch is None else pitch),
-        voice.volume * (1.0 if volume is None else volume),
-    )
+    """A voice with a line's `rate pitch range volume`, each a factor of the voice's own. Raises `Refused`."""
+    least = {"rate": SLOWEST, "pitch": SLOWEST, "range": 0.0, "volume": 0.0}
+    factors = {name: line.factor(name, SHARE, limit) for name, limit in least.items()}
+    changed = {name: getattr(voice, name) * factor for name, factor in factors.items() if factor is not None}
+    return replace(voice, **changed)
 
 
 def voice_named(project: Project, words: tuple[Word, ...], span: Span) -> Voice:
-    """`en-us female`: a language as espeak-ng names it, and a variant. Whether it exists is found when it speaks."""
+    """`en-us female`: a language as espeak-ng names it, and a variant; or `en-us piper "amy.onnx"`: another engine and
+    its voice. Whether they exist is found when they speak, but for a file."""
     texts = [word.text if isinstance(word, Name) else word.value if isinstance(word, String) else "" for word in words]
     if not texts or not _LANGUAGE.fullmatch(texts[0]):
         where = words[0].span if words else span
         raise project.refuse("FS326", where, text=where.text)
-    if len(texts) > 2 or (len(texts) == 2 and not _VARIANT.fullmatch(texts[1])):
+    if (len(texts) > 1 and not _VARIANT.fullmatch(texts[1])) or len(texts) > 3 or not _is_quoted(words[2:]):
         where = words[1].span.to(words[-1].span)
-        advice = "behind the language stands `female`, `male` or one variant's name"
+        advice = "behind the language stands `female`, `male`, one variant's name, or an engine and its voice in quotes"
         raise project.refuse("FS312", where, text=where.text, advice=advice)
-    return Voice(texts[0], texts[1] if len(texts) == 2 else "")
+    if len(texts) < 3:
+        return Voice(texts[0], "".join(texts[1:]))
+    row, last = ENGINES.get(texts[1]), words[2]
+    if row is not None and row.files and isinstance(last, String):
+        return Voice(texts[0], _path(project, last), engine=texts[1])
+    return Voice(texts[0], texts[2], engine=texts[1])
+
+
+def _is_quoted(words: tuple[Word, ...]) -> bool:
+    return all(isinstance(word, String) and word.value for word in words)

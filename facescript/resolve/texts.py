@@ -20,6 +20,7 @@ LONGEST = 20_000
 """Characters of one line's text."""
 
 ESCAPES = '[]*|"\\'
+_ESCAPED = re.compile(rf"\\([{re.escape(ESCAPES)}])")
 _SPECIAL = re.compile(r"[\\\[*|]|\s+")
 
 
@@ -53,6 +54,11 @@ class Text:
 
 Piece = tuple[Source, int, int]
 """A stretch of a source that is text: between the quotes of a string, or a whole file."""
+
+
+def bare_text(string: String) -> str:
+    """A text that is not spoken, a title or a caption: signs behind `\\` are themselves, white space is one space."""
+    return " ".join(_ESCAPED.sub(r"\1", string.value).split())
 
 
 def pieces_of(strings: tuple[String, ...]) -> tuple[Piece, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from facescript.ir.acts import Verb
-from facescript.ir.play import Face, Film, Target
+from facescript.ir.play import Face, Film, Target, Viseme
 from facescript.space.plan import GazePlan
 from facescript.speech.model import Spoken
 from facescript.text import Span
@@ -69,6 +69,7 @@ class TimedScene:
     faces: tuple[str, ...]
     start: float
     end: float
+    title: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,3 +93,4 @@ class Score:
     markers: tuple[Marker, ...]
     duration: float
     estimated: bool = False
+    visemes: tuple[Viseme, ...] = ()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from facescript.ir.acts import Say
-from facescript.speech.espeak.manner import WORDS_A_MINUTE, pitch, rate
+from facescript.speech.espeak.manner import check_manner
 from facescript.speech.lines import Piece, is_han, pieces, words
 from facescript.speech.model import PhoneTime, Spoken, WordTime
 from facescript.speech.readings import check_readings
+from facescript.speech.voices.registry import USUAL
 from facescript.world import World
 
 EDGE = 0.05
@@ -46,8 +47,9 @@ class EstimatedVoice:
             return estimated(line, self._world)
         if line.recording is not None:
             return Spoken(b"", 22_050, 0.0, (), (), estimated=True)
-        pace = WORDS_A_MINUTE / rate(line.voice.rate)
-        pitch(line.voice.pitch)
+        if line.voice.engine == USUAL:
+            check_manner(line.voice)
+        pace = 1 / line.voice.rate
         check_readings(line)
         at = 0.0
         times: list[WordTime] = []

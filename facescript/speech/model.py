@@ -6,17 +6,20 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from facescript.ir.acts import Say
+from facescript.speech.spool import Kept
 
 
 @dataclass(frozen=True, slots=True)
 class WordTime:
-    """A word of the line: its stretch of the plain text (characters), and seconds from the line's start."""
+    """A word of the line: its stretch of the plain text (characters), and seconds from the line's start; whether the
+    text stresses it (`*word*`)."""
 
     text: str
     first: int
     last: int
     start: float
     end: float
+    stress: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,19 +47,24 @@ class Doubt:
 
 @dataclass(frozen=True, slots=True, weakref_slot=True)
 class Spoken:
-    """A line as sound: mono samples (16-bit little-endian bytes) at `rate` Hz, words, phones, seconds.
+    """A line as sound: mono samples at `rate` Hz in memory or in a file, words, phones, seconds.
 
     `estimated` lines have times but no sound: no voice was started for them. `doubts` are what the author should know
     of a line that is spoken all the same.
     """
 
-    pcm: bytes
+    sound: bytes | Kept
     rate: int
     duration: float
     words: tuple[WordTime, ...]
     phones: tuple[PhoneTime, ...]
     estimated: bool = False
     doubts: tuple[Doubt, ...] = ()
+
+    @property
+    def pcm(self) -> bytes:
+        """The samples, 16-bit little-endian; read from the file where they are kept in one."""
+        return self.sound if isinstance(self.sound, bytes) else self.sound.read()
 
 
 class VoiceBox(Protocol):

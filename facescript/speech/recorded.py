@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from facescript.ir.acts import Say
+from facescript.speech.listen.alone import alone
 from facescript.speech.model import Spoken, VoiceBox, VoiceFailure
 from facescript.speech.sound.recording import UNUSABLE, Recording, read_recording
 from facescript.speech.timing.line import timed
@@ -14,7 +15,8 @@ def recorded(line: Say, world: World, voice: VoiceBox) -> Spoken:
     if line.times is not None:
         return timed(line, world, voice, _sound(_read(world, line.recording)) if line.recording else None)
     assert line.recording is not None
-    return _sound(_read(world, line.recording))
+    sound = _read(world, line.recording)
+    return _sound(sound) if line.text else alone(sound, line.voice.language)
 
 
 def _sound(sound: Recording) -> Spoken:

@@ -32,9 +32,9 @@ from facescript.motion.blend import KNEE, LID_FLOOR
 from facescript.motion.compose import BLINK_TURN, TURNS
 from facescript.motion.drivers import ROWS
 from facescript.motion.gaze.track import GazeTrack, eyes
-from facescript.motion.mouth import values
-from facescript.performance.channels import INDEX, MUSCLES, SIDES
+from facescript.performance.channels import INDEX, MOUTH, MUSCLES, SIDES
 from facescript.speech.mouth.mouthing import CLOSING
+from facescript.speech.mouth.shape import AXES
 
 TIMES = np.arange(0.0, 4.5, 0.001)
 COARSE = np.arange(0.0, 4.5, 0.02)
@@ -119,9 +119,9 @@ def test_p_b_and_m_close_whatever_the_face_shows(lines: list[str], said: list[st
     times = np.arange(0.0, made.score.duration, 1.0 / rate)
     gap, track = made.channels(times)["mouth.open"], made.motion.mouth
     for shape in track.shapes:
-        if shape.shut:
+        if shape.name == "m":
             assert np.abs(gap[(times >= shape.on) & (times <= shape.off)]).max(initial=0.0) == 0.0
-    shut = [shape for shape in track.shapes if shape.shut]
+    shut = [shape for shape in track.shapes if shape.name == "m"]
     for line in made.score.lines:
         for phone in line.spoken.phones:
             if phone.symbol in ("p", "b", "m"):
@@ -132,14 +132,20 @@ def test_p_b_and_m_close_whatever_the_face_shows(lines: list[str], said: list[st
 @settings(max_examples=25, deadline=None)
 @given(spoken())
 def test_at_most_two_mouth_shapes_weigh(said: list[str]) -> None:
-    """What is spoken lies on the way from one shape to the one that follows it."""
+    """On each axis what is spoken lies on the way from one shape that holds it to the next one that does."""
     made = played(script(said))
     track = made.motion.mouth
-    firsts, seconds, share = track.weights(TIMES)
-    assert np.all((seconds == firsts) | (seconds == firsts + 1)) and np.all((share >= 0.0) & (share <= 1.0))
-    for shape in track.shapes:
-        there = np.array([shape.on - 1e-7, shape.on, (shape.on + shape.off) / 2.0, shape.off, shape.off + 1e-7])
-        assert track.sample(there)[0] == pytest.approx(np.tile(values(shape), (5, 1)), abs=1e-5), "it is there alone"
+    for axis, parts in AXES.items():
+        held = np.flatnonzero([shape.holds(axis) for shape in track.shapes])
+        firsts, seconds, share = track.weights(TIMES, parts[0])
+        steps = np.searchsorted(held, seconds) - np.searchsorted(held, firsts)
+        assert not held.size or np.isin(np.concatenate([firsts, seconds]), held).all()
+        assert np.isin(steps, (0, 1)).all() and np.all((share >= 0.0) & (share <= 1.0))
+        columns = [MOUTH.index(part) for part in parts]
+        for shape in (track.shapes[index] for index in held):
+            there = np.array([shape.on - 1e-7, shape.on, (shape.on + shape.off) / 2.0, shape.off, shape.off + 1e-7])
+            alone = np.tile(np.array(shape.values)[columns], (5, 1))
+            assert track.sample(there)[0][:, columns] == pytest.approx(alone, abs=1e-5), "it is there alone"
 
 
 # ------------------------------------------------------------------------------------------------ rule 5

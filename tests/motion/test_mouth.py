@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -163,7 +163,8 @@ def test_a_consonant_rounds_before_a_rounded_vowel() -> None:
 def test_a_shape_is_reached() -> None:
     track = MouthTrack((made("m a f u"),))
     for name, time in (("m", 1.05), ("a", 1.14), ("f", 1.22), ("u", 1.35)):
-        assert track.sample(np.array([time]))[0][0] == pytest.approx(SHAPES[name])
+        columns = [MOUTH.index(part) for part in ("open", "upper", "lower", "teeth", "tongue")]
+        assert track.sample(np.array([time]))[0][0][columns] == pytest.approx(np.array(SHAPES[name])[columns])
 
 
 SYMBOLS = st.sampled_from("_ p b m f t s ʃ a i uː oʊ ə zh:m zh:a zh:i ɹ w".split())
@@ -187,8 +188,12 @@ def test_at_most_two_shapes_weigh(rows: list[tuple[list[str], float, float]]) ->
     first, second, share = track.weights(times)
     assert np.all((share >= 0) & (share <= 1))
     assert np.all((second == first + 1) | (share == 0))
+    for part in ("jaw", "wide"):
+        first, second, share = track.weights(times, part)
+        assert np.all((share >= 0) & (share <= 1) & (second >= first))
 
 
+@settings(max_examples=60, deadline=None)
 @given(LINES)
 def test_curves_have_no_jump_and_no_corner(rows: list[tuple[list[str], float, float]]) -> None:
     track, end = track_of(rows)
@@ -198,7 +203,7 @@ def test_curves_have_no_jump_and_no_corner(rows: list[tuple[list[str], float, fl
     for curves in (mouth, activity[:, np.newaxis]):
         speed = np.diff(curves, axis=0) / step
         assert np.abs(speed).max(initial=0) < 100  # the shortest way, 30 ms, at twice the widest opening
-        assert np.abs(np.diff(speed, axis=0)).max(initial=0) < 2  # a corner would change it by tens at once
+        assert np.abs(np.diff(speed, axis=0)).max(initial=0) < 5  # a corner would change it by tens at once
     assert np.all((activity >= 0) & (activity <= 1))
 
 

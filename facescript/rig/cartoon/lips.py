@@ -18,6 +18,10 @@ SIDES = (-1, 1)
 NARROW = 20.0
 """Below this half width (px) a mouth resists being narrowed further."""
 
+TUCKED, BARED, BITTEN = 0.2, 0.6, 0.34
+"""By how much (MNS0) a lower lip is drawn in that lies wholly under the teeth, how far those show then, and the part of
+its height that they hide: so much of them is seen (shape f: half of the lip is gone, its edge is under theirs)."""
+
 
 @dataclass(frozen=True, slots=True)
 class MouthStyle:
@@ -122,7 +126,8 @@ def lips(style: MouthStyle, state: MouthState) -> Lips:
     said = unit * np.maximum(state.open, 0.0)
     slack = said - up - low
     rise = 13.0 * np.tanh((up + 0.2 * slack + apart * 4.0 * state.mean("raise_")) / 13.0)
-    gap = said + apart * (4.0 * state.mean("raise_") + 5.0 * state.mean("lower"))
+    bitten = style.lower * BITTEN * tucked(state, apart)
+    gap = said + bitten + apart * (4.0 * state.mean("raise_") + 5.0 * state.mean("lower"))
     middle = (
         style.y
         + style.tubercle
@@ -131,14 +136,23 @@ def lips(style: MouthStyle, state: MouthState) -> Lips:
         - 1.6 * state.mean("raise_")
         - 3.4 * state.mean("nose")
     )
-    middle = middle + 1.5 * state.mean("smile") - rise
+    middle = middle + 1.5 * state.mean("smile") - rise - 0.4 * bitten
     corner = [_corner(style, state, k, gap, puckered) for k in (0, 1)]
     inner_upper, inner_lower = _inner(style, state, middle, gap, apart, puckered, corner)
-    thick = _thickness(style, state, slack, apart, puckered)
+    upper, lower = _thickness(style, state, slack, apart, puckered)
+    thick = upper, lower - 0.6 * bitten
     outer_upper, outer_lower = _outer(style, state, apart, inner_upper, inner_lower, thick, puckered, corner)
     drop = inner_lower[2][1] - style.y - style.tubercle
     dropped: Floats = np.asarray(drop, dtype=np.float64)
     return Lips(gap, apart, puckered, corner, inner_upper, inner_lower, outer_upper, outer_lower, dropped)
+
+
+def tucked(state: MouthState, apart: Floats) -> Floats:
+    """How far (0..1) the lower lip of a closed mouth lies under the upper teeth: drawn in further than the upper lip
+    comes down, with teeth that show."""
+    drawn_in = np.clip(-(state.upper + state.lower) / TUCKED, 0.0, 1.0)
+    under: Floats = drawn_in * (1 - apart) * np.clip(state.teeth / BARED, 0.0, 1.0)
+    return under
 
 
 def _corner(style: MouthStyle, state: MouthState, k: int, gap: Floats, puckered: Floats) -> tuple[Number, Number]:

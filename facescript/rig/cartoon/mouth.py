@@ -41,10 +41,7 @@ def _inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> None
     _cavity(pen, shape)
     high, low = top[2][1], bottom[2][1]
     teeth = 10.0 * np.clip(state.teeth, 0.0, 1.0) + 2.0 * shape.apart * state.mean("raise_")
-    tip_up = np.clip(state.tongue, 0.0, 1.0)
-    resting = low - 10.0 * step(8.0, 30.0, shape.gap) * (1 - 0.7 * shape.round)
-    tongue = lerp(resting, high + np.minimum(teeth, 8.0) * 0.7 + 2.0, tip_up)
-    _set(pen, "mouth-tongue", style, tongue, TONGUE)
+    _tongue(pen, style, state, shape, high + np.minimum(teeth, 8.0))
     shown = 0.72 * teeth * (1 - step(7.0, 17.0, shape.gap))
     hidden = 11.0 * (1 - step(0.0, 4.0, shown))
     _set(pen, "mouth-teeth-lower", style, low - shown + hidden, LOWER_TEETH)
@@ -53,6 +50,20 @@ def _inside(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips) -> None
         edge = high + teeth + rise
         x = x * style.half_width
         pen.ribbon("mouth-teeth-gaps", [(x, edge - 0.4, 0.01), (x, edge - 7, 1.2), (x, edge - 20, 0.01)])
+
+
+def _tongue(pen: Pen, style: MouthStyle, state: MouthState, shape: Lips, edge: Number) -> None:
+    """The tongue at rest behind the lower lip; with its tip at the `edge` (y, px) of the upper teeth; or out between
+    the teeth, broad and flat."""
+    up, out = step(0.0, BEHIND, state.tongue), step(BEHIND, 1.0, state.tongue)
+    resting = shape.inner_lower[2][1] - 10.0 * step(8.0, 30.0, shape.gap) * (1 - 0.7 * shape.round)
+    tip = lerp(resting, np.minimum(edge - 0.5, resting), up)
+    wide, flat = 1 + 0.25 * up + 0.25 * out, 1 - 0.3 * out
+    _set(pen, "mouth-tongue", style, tip, [(x * wide, y * flat if y < 20.0 else y, sharp) for x, y, sharp in TONGUE])
+
+
+BEHIND = 0.8
+"""The value of the channel `tongue` at which its tip is at the upper teeth; from there on it comes out below them."""
 
 
 def _cavity(pen: Pen, shape: Lips) -> None:
@@ -72,7 +83,7 @@ SHARES = ((1, 0.7), (2, 1.0), (3, 0.7))
 """How much of that at the three places between the corners."""
 
 
-def _set(pen: Pen, part: str, style: MouthStyle, height: Number, half: Sequence[tuple[float, float, bool]]) -> None:
+def _set(pen: Pen, part: str, style: MouthStyle, height: Number, half: Sequence[tuple[Number, Number, bool]]) -> None:
     """Draw what is rigid, teeth and tongue: the cavity shows as much of it as is open. `half` are x (of the mouth's
     half width), y below `height` (px) and sharpness, from the middle of the edge that is seen round to the root."""
     spots = [(x * style.half_width, height + y, sharp) for x, y, sharp in half]

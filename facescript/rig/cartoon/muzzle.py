@@ -9,11 +9,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from facescript.rig.cartoon.lips import SIDES, Lips, MouthState, MouthStyle
+from facescript.rig.cartoon.lips import SIDES, Lips, MouthState, MouthStyle, tucked
 from facescript.rig.cartoon.pen import Floats, Number, Pen, Spot, lerp, step
 
 RISE = 8.0
 """How far (px) speech lifts the upper lip at most: it hangs from the nose by a short philtrum."""
+
+BITTEN = 9.0
+"""px of the upper teeth that are seen above a lower lip that lies under them."""
 
 LOBE = 0.6
 """Where the lobes hang, as a part of the way from the middle to the corner."""
@@ -60,6 +63,7 @@ def _opening(style: MouthStyle, state: MouthState) -> _Opening:
     said, up = unit * np.maximum(state.open, 0.0), unit * state.upper
     raised = 0.9 * state.mean("raise_") + 0.35 * state.mean("nose")
     gap = said + apart * (0.4 * style.lift * raised + 12.0 * state.mean("lower"))
+    gap = gap + BITTEN * tucked(state, apart)
     rise = RISE * np.tanh((up + 0.2 * (said - up - unit * state.lower)) / RISE)
     middle = style.y + style.tubercle - (0.4 + 0.35 * apart) * style.lift * raised - 3.0 * state.mean("smile")
     middle = middle - rise - 3.0 * state.chin - 4.0 * pursed + 2.0 * state.jaw

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
 
 from facescript.ir.acts import Stretch, Voice
 from facescript.speech.espeak import alphabetic
 from facescript.speech.espeak.client import Espeak, Sound, Utterance
 from facescript.speech.espeak.manner import Manner, Voices
-from facescript.speech.espeak.parts import RATE, Part, joined, phones, trimmed
+from facescript.speech.espeak.parts import RATE, Part, Take, Trim, joined, phones, trimmed, unheard
 from facescript.speech.lines import Piece, is_han, is_letter
 from facescript.speech.mandarin.numerals import chinese
 from facescript.speech.mandarin.syllables import numbered, timed
@@ -53,16 +53,17 @@ class Unit:
     stressed: bool = False
 
 
-def speak(espeak: Espeak, piece: Piece, line: str, voices: Voices, voice: Voice) -> Part:
-    """The piece spoken; `line` is the whole text, the context in which characters are read. Raises `VoiceFailure`."""
+def speak(espeak: Espeak, piece: Piece, line: str, voices: Voices, voice: Voice, take: Take = unheard) -> Part:
+    """The piece spoken; `line` is the whole text, the context in which characters are read; `take` gets the sound
+    meanwhile. Raises `VoiceFailure`."""
     parts: list[Part | float] = []
     for run in _runs(units(piece, line)):
         if run[0].foreign:
             within = Piece(run[0].foreign, piece.first + run[0].first, piece.first + run[0].last, ())
-            manner = voices.manner(Voice(FOREIGN, voice.variant, voice.rate, voice.pitch))
-            parts.append(alphabetic.speak(espeak, within, manner))
+            manner = voices.manner(replace(voice, language=FOREIGN))
+            parts.append(alphabetic.speak(espeak, within, manner, take))
         else:
-            parts.append(_speak_run(espeak, piece, run, voices.manner(voice)))
+            parts.append(_speak_run(espeak, piece, run, voices.manner(voice), take))
     return joined(parts)
 
 
@@ -172,7 +173,7 @@ def _runs(found: Sequence[Unit]) -> Iterator[list[Unit]]:
         yield run
 
 
-def _speak_run(espeak: Espeak, piece: Piece, run: Sequence[Unit], manner: Manner) -> Part:
+def _speak_run(espeak: Espeak, piece: Piece, run: Sequence[Unit], manner: Manner, take: Take) -> Part:
     text, places = "", []
     ssml = any(unit.stressed for unit in run)
     for unit, before, after in zip(run, [None, *run], [*run[1:], None], strict=False):
@@ -185,10 +186,11 @@ def _speak_run(espeak: Espeak, piece: Piece, run: Sequence[Unit], manner: Manner
         if unit.stressed and not (after and after.stressed):
             text += alphabetic.EMPHASIS[1]
     text = text.rstrip()
-    sound = espeak.speak(
-        Utterance(text if text[-1] in ".?!,;:" else text + ",", manner.voice, manner.rate, manner.pitch, ssml)
-    )
-    return _timed(piece, run, places, sound)
+    trim = Trim(take)
+    said = text if text[-1] in ".?!,;:" else text + ","
+    part = _timed(piece, run, places, espeak.speak(Utterance(said, **asdict(manner), ssml=ssml), trim))
+    trim.finish(part)
+    return part
 
 
 def _timed(piece: Piece, run: Sequence[Unit], places: list[int], sound: Sound) -> Part:
