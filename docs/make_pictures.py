@@ -105,12 +105,14 @@ GALLERY = {
     "vergence": 2.4,
     "degrees": 3.0,
     "mandarin": 1.0,
+    "alone": 1.6,
     "idle": 5.2,
     "track": 7.5,
     "cueing": 0.6,
     "timed": 2.8,
     "marks": 1.8,
     "monster": 0.9,
+    "book": 12.3,
 }
 """Examples in the order of the gallery, and the moment of each that it shows, s."""
 
