@@ -61,7 +61,9 @@ def test_pauses_are_where_the_voice_pauses(way: str) -> None:
     assert all(min(abs(end - pause) for pause in pauses) < 0.09 for end in ends)
     life = Life("announcer", (("nods", 1.0), ("sway", 0.0), ("brows", 0.0), ("blink", 0.0)))
     pitch = channels(performed(duration=10.0, life=life, lines=(line,)), grid(10.0, 100.0))["head.pitch"]
-    nods = sum(pitch[round(100 * (2.0 + pause))] < -1.0 and abs(pitch[round(100 * (2.7 + pause))]) < 1.0 for pause in pauses)
+    nods = sum(
+        pitch[round(100 * (2.0 + pause))] < -1.0 and abs(pitch[round(100 * (2.7 + pause))]) < 1.0 for pause in pauses
+    )
     assert nods >= 2
 
 
