@@ -168,7 +168,7 @@ def test_lips_round_ahead_through_consonants_and_while_they_are_shut() -> None:
     assert np.all(np.diff(rounded) >= -1e-9)
     begins = 1.0 + 0.005 * float(np.argmax(rounded > 0.05 * rounded.max()))
     assert 0.08 <= 1.4 - begins <= 0.25
-    shut = MouthTrack((made("i p u"),)).sample(np.array([1.195]))[0][0]
+    shut = MouthTrack((made("i m u"),)).sample(np.array([1.18]))[0][0]
     assert shut[OPEN] == 0 and shut[ROUND] > 0.5
 
 

@@ -81,11 +81,11 @@ def test_a_lip_that_is_drawn_in_lies_under_the_teeth(kind: str) -> None:
     upper, lower = inner_edges(rig, picture)
     seen = lower[:, 1, 1] - upper[:, 1, 1]
     assert seen[0] < 0.4 and 2.0 < seen[1] < 12.0
-    teeth = anchors(rig, picture, "mouth-teeth-upper")[1, :, 1].max()
-    assert teeth >= lower[1, 1, 1] - 0.4
+    if kind != "rodent":  # whose incisors lie over both lips
+        assert anchors(rig, picture, "mouth-teeth-upper")[1, :, 1].max() >= lower[1, 1, 1] - 0.4
 
 
-@pytest.mark.parametrize("kind", sorted(PEOPLE))
+@HUMANS
 def test_the_tongue_rises_to_the_teeth_and_comes_out_below_them(kind: str) -> None:
     rig = RIGS[kind]
     said = {"mouth_open": 0.5, "mouth_upper": 0.2, "mouth_lower": 0.3, "mouth_teeth": 0.5}

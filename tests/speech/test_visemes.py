@@ -76,8 +76,8 @@ def test_phones_to_shapes(row: str) -> None:
 
 
 CHART = """
-p b t d ʈ ɖ c ɟ k ɡ q ɢ ʔ ʡ m ɱ n ɳ ɲ ŋ ɴ ʙ r ʀ ⱱ ɾ ɽ ɸ β f v θ ð s z ʃ ʒ ʂ ʐ ç ʝ x ɣ χ ʁ ħ ʕ h ɦ ʜ ʢ ɬ ɮ ɺ ʋ ɹ ɻ j ɰ l ɭ
-ʎ ʟ ʘ ǀ ǃ ǂ ǁ ɓ ɗ ʄ ɠ ʛ ʍ w ɥ ɕ ʑ ɧ i y ɨ ʉ ɯ u ɪ ʏ ʊ e ø ɘ ɵ ɤ o ə ɛ œ ɜ ɞ ʌ ɔ æ ɐ a ɶ ɑ ɒ ɝ ɚ ɫ
+p b t d ʈ ɖ c ɟ k ɡ q ɢ ʔ ʡ m ɱ n ɳ ɲ ŋ ɴ ʙ r ʀ ⱱ ɾ ɽ ɸ β f v θ ð s z ʃ ʒ ʂ ʐ ç ʝ x ɣ χ ʁ ħ ʕ h ɦ ʜ ʢ ɬ ɮ ɺ ʋ ɹ ɻ j ɰ l
+ɭ ʎ ʟ ʘ ǀ ǃ ǂ ǁ ɓ ɗ ʄ ɠ ʛ ʍ w ɥ ɕ ʑ ɧ i y ɨ ʉ ɯ u ɪ ʏ ʊ e ø ɘ ɵ ɤ o ə ɛ œ ɜ ɞ ʌ ɔ æ ɐ a ɶ ɑ ɒ ɝ ɚ ɫ
 ʦ ʣ ʧ ʤ ʨ ʥ ᵻ ᵿ g A S Z X
 """
 """The letters of the IPA, and what some voices of espeak-ng write besides."""
