@@ -23,7 +23,7 @@ from facescript.text import Source
 from facescript.world import World
 
 PAGE = Path(__file__).with_name("diagnostics.md")
-VOICES = {"check": lambda world: EstimatedVoice(), "build": open_studio}
+VOICES = {"check": EstimatedVoice, "build": open_studio}
 WIDEST, LONGEST = 116, 24
 """Signs of a line and lines of a file that the page shows; the rest is `…`."""
 
@@ -73,7 +73,7 @@ def _entry(entry: Entry) -> str:
         rows.append(_block("", f"facescript {' '.join(entry.command)}"))
     elif entry.stage != "unforced":
         rows += [_block("face-bad", entry.bad), _block("face", entry.good)]
-        rows += [f"`{name}`:\n\n{_block('', text)}" for name, text in entry.files.items()]
+        rows += [f"`{name}`:\n\n{_block('', text)}" for name, text in entry.files.items() if "\0" not in text]
     return "\n".join(rows)
 
 

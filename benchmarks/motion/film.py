@@ -48,7 +48,7 @@ def _sound_late(job: Job, path: Path) -> float:
     """By how much the decoded sound is behind the soundtrack, s."""
     options = ("-f", "f32le", "-ac", "1", "-ar", str(RATE), "-")
     found = np.frombuffer(_decoded(path, options), dtype="<f4").astype(np.float64)
-    samples, rate = job.sound
+    samples, rate = job.sound.samples(), job.sound.rate
     sent = np.interp(np.arange(len(found)) / RATE, np.arange(len(samples)) / rate, samples.astype(np.float64))
     size = 2 * len(found)
     echo = np.fft.irfft(np.fft.rfft(found, size) * np.conj(np.fft.rfft(sent, size)))

@@ -1,4 +1,4 @@
-"""Frames to a file: one ffmpeg process, fed through a pipe, ended whatever happens."""
+"""Frames or sound to a file: one ffmpeg process, fed through a pipe, ended whatever happens."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ if sys.platform == "linux":
     from fcntl import F_SETPIPE_SZ, fcntl
 
 Bytes = NDArray[np.uint8]
+Samples = NDArray[np.int16]
 
 PIPE_BYTES = 1 << 20
 """What Linux lets anyone's pipe hold."""
@@ -31,7 +32,8 @@ LAST_WORDS = 2000
 
 
 class Encoder:
-    """A running ffmpeg that takes frames. Leaving its `with` block waits for the file, or ends ffmpeg on a fault."""
+    """A running ffmpeg that takes frames, or sound a block at a time. Leaving its `with` block waits for the file, or
+    ends ffmpeg on a fault."""
 
     def __init__(self, options: Sequence[str], path: Path) -> None:
         """`options` are all of ffmpeg's but the output; frames come on its standard input. Raises `JobFailure`."""
@@ -50,9 +52,9 @@ class Encoder:
     def __enter__(self) -> Encoder:
         return self
 
-    def write(self, frame: Bytes) -> None:
-        """Hand over one frame, which ffmpeg has when this returns; it keeps a few that wait for its encoder. Raises
-        `JobFailure` once ffmpeg has stopped."""
+    def write(self, frame: Bytes | Samples) -> None:
+        """Hand over one frame or block, which ffmpeg has when this returns; it keeps a few that wait for its encoder.
+        Raises `JobFailure` once ffmpeg has stopped."""
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(frame.data)

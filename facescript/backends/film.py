@@ -122,7 +122,7 @@ def _counted(job: Job, frames: Iterator[Bytes], total: int) -> Iterator[Bytes]:
 @contextmanager
 def _sound_file(job: Job) -> Iterator[tuple[str, ...]]:
     """ffmpeg's options for the sound as an input, in a file for as long as the block lasts; none for silence."""
-    if not job.heard[0].any():
+    if job.heard.silent:
         yield ()
         return
     with tempfile.TemporaryDirectory(prefix="facescript-") as folder:

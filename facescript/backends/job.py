@@ -5,29 +5,27 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.backends.page.wish import PageWish
 from facescript.ir.acts import Say
 from facescript.ir.play import Play
 from facescript.motion.perform import perform
 from facescript.performance.performance import Performance
 from facescript.schedule.score import Score
-from facescript.speech.sound.mix import soundtrack
+from facescript.speech.sound.mix import Soundtrack, soundtrack
 
 if TYPE_CHECKING:
+    from facescript.canvas.overlay import Stickers
     from facescript.stage.stage import Stage
 
 Progress = Callable[[int, int], None]
 """Called with (done, total) as frames are made."""
-
-Sound = tuple[NDArray[np.int16], int]
-"""Mono samples and their rate in Hz."""
-
 
 MOST_HANDS = 8
 """Processes that are started without being asked for, at most."""
@@ -46,7 +44,8 @@ class Job:
     """A film to be put out, seconds `start` to `end` of it, or the one moment `at`.
 
     `pictures` reads a background picture's bytes by its path in the project; `jobs` is how many processes draw, 0 for
-    as many as suit the machine.
+    as many as suit the machine; `page` is what an `.html` is to be. `captions` is how they are made: by "words", by
+    "sentences", or "burn" for sentences in the frames, then in a `font` (the bytes of its file, None to find one).
     """
 
     play: Play
@@ -57,6 +56,9 @@ class Job:
     at: float | None = None
     jobs: int = 0
     progress: Progress = quiet
+    page: PageWish = field(default_factory=PageWish)
+    captions: str = "sentences"
+    font: bytes | None = None
 
     @cached_property
     def performance(self) -> Performance:
@@ -66,11 +68,16 @@ class Job:
     def stage(self) -> Stage:
         from facescript.stage.stage import Stage
 
-        return Stage(self.score, self.performance, self.pictures)
+        return Stage(self.score, self.performance, self.pictures, self._titles() if self.captions == "burn" else None)
+
+    def _titles(self) -> Stickers:
+        from facescript.backends.captions.titles import Titles
+
+        return Titles(self.score, self.start, self.end if self.at is None else self.score.duration, self.font).at
 
     @cached_property
-    def sound(self) -> Sound:
-        """The soundtrack of the whole film."""
+    def sound(self) -> Soundtrack:
+        """The soundtrack of the whole film: mixed when and as far as it is asked for."""
         return soundtrack(self.score)
 
     def hands(self) -> int:
@@ -83,12 +90,9 @@ class Job:
         return self.score.film.fps
 
     @property
-    def heard(self) -> Sound:
+    def heard(self) -> Soundtrack:
         """The soundtrack from `start` to `end`, exactly that long."""
-        samples, rate = self.sound
-        first, last = round(self.start * rate), round(self.end * rate)
-        cut = samples[first:last]
-        return np.pad(cut, (0, last - first - len(cut))), rate
+        return self.sound.between(self.start, self.end)
 
     def spoken(self) -> list[tuple[str, str]]:
         """Who says what, in time order: (face, text)."""

@@ -7,7 +7,7 @@ import secrets
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -17,6 +17,7 @@ class Outputs:
     """The files of one build. `place` gives a path to write to; they appear together at `commit`, or not at all."""
 
     pending: list[tuple[Path, Path]] = field(default_factory=list)
+    made: list[Path] = field(default_factory=list)
 
     def place(self, target: Path) -> Path:
         """A free path in the target's folder with the target's suffix. Raises `OSError` where that is not possible."""
@@ -31,6 +32,14 @@ class Outputs:
         self.pending.append((beside, target))  # before it is there: an interrupt may come as it is made
         beside.touch(exist_ok=False)
         return beside
+
+    def folder(self, target: Path) -> Path:
+        """A folder to place files in, made where there is none, and gone again where none comes to it. Raises
+        `OSError`."""
+        if not target.is_dir():
+            target.mkdir()
+            self.made.append(target)
+        return target
 
     @contextmanager
     def aside(self, suffix: str) -> Iterator[Path]:
@@ -53,6 +62,9 @@ class Outputs:
         for beside, _ in self.pending:
             beside.unlink(missing_ok=True)
         self.pending.clear()
+        for folder in self.made:
+            with suppress(OSError):  # there is something in it
+                folder.rmdir()
 
 
 @contextmanager

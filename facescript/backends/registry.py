@@ -36,6 +36,7 @@ BACKENDS = (
     Backend(
         ".svg", "facescript.backends.svg.document:write_svg", "animated picture with sound, plays in any browser", True
     ),
+    Backend(".html", "facescript.backends.page.document:write_html", "page with a player, its words and the sound"),
     Backend(".mp4", "facescript.backends.film:write_mp4", "film, H.264 and AAC", opaque=True),
     Backend(".webm", "facescript.backends.film:write_webm", "film, VP9 and Opus"),
     Backend(".gif", "facescript.backends.film:write_gif", "looping picture without sound"),
@@ -43,11 +44,11 @@ BACKENDS = (
     Backend(".csv", "facescript.backends.tables:write_csv", "table: time and every channel"),
     Backend(".jsonl", "facescript.backends.tables:write_jsonl", "lines of JSON: time and every channel"),
     Backend(".wav", "facescript.backends.wav:write_wav", "the sound alone"),
+    Backend(".vtt", "facescript.backends.captions.writing:write_vtt", "captions, WebVTT (--captions words: by words)"),
+    Backend(".srt", "facescript.backends.captions.writing:write_srt", "captions, SRT (--captions words: by words)"),
+    Backend(".epub", "facescript.backends.epub.document:write_epub", "book with sound and the times of its words"),
     Backend(".json", "facescript.backends.play:write_json", "the resolved play and its solved times"),
 )
-
-LATER = (".html", ".vtt", ".srt")
-"""Suffixes the language reserves and this version refuses by name."""
 
 
 def backends() -> dict[str, Backend]:

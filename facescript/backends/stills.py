@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import imageio.v3 as iio
 import numpy as np
 
-from facescript.backends.frames import Bytes, drawing_faults, pictures
+from facescript.backends.frames import Bytes, Floats, drawing_faults, pictures
 from facescript.backends.job import Job
 from facescript.canvas.alpha import straight
+from facescript.stage.stage import Stage
 
 
 def write_png(job: Job, path: Path) -> None:
@@ -21,11 +22,16 @@ def write_png(job: Job, path: Path) -> None:
 
 def write_pngs(job: Job, paths: Sequence[Path]) -> None:
     """One file a frame, as many as there are paths. Raises `JobFailure`."""
-    times = job.times()[: len(paths)]
+    for number, _ in enumerate(written(job.stage, job.times()[: len(paths)], paths), start=1):
+        job.progress(number, len(paths))
+
+
+def written(stage: Stage, times: Floats, paths: Sequence[Path]) -> Iterator[Path]:
+    """One file a moment (seconds, sorted), each handed on when it is there. Raises `JobFailure`."""
     with drawing_faults():
-        for number, (frame, path) in enumerate(zip(pictures(job.stage, times), paths, strict=True), start=1):
-            iio.imwrite(path, _rgba(frame) if job.stage.clear else _rgb(frame), extension=".png")
-            job.progress(number, len(paths))
+        for frame, path in zip(pictures(stage, times), paths, strict=True):
+            iio.imwrite(path, _rgba(frame) if stage.clear else _rgb(frame), extension=".png")
+            yield path
 
 
 def _rgb(frame: Bytes) -> Bytes:

@@ -10,7 +10,7 @@ from facescript.cli.settings import settings
 from facescript.compile import compile_source
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostic
-from facescript.speech.estimate import EstimatedVoice
+from facescript.speech.voices.known import KnownTimes
 from facescript.world import WorldFailure
 
 
@@ -24,5 +24,5 @@ def run(options: argparse.Namespace) -> int:
         except WorldFailure as fault:
             found.append(diagnose("FS901", None, name=name, reason=fault.args[0]))
             continue
-        found.extend(compile_source(source, world, EstimatedVoice(), chosen).diagnostics)
+        found.extend(compile_source(source, world, KnownTimes(world), chosen).diagnostics)
     return show_json(found) if options.json else show(found)

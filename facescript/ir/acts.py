@@ -98,13 +98,19 @@ class Gesture:
 
 @dataclass(frozen=True, slots=True)
 class Voice:
-    """How a line sounds: `language` as espeak-ng names it, `variant` (female, male or a voice's), factors of 1."""
+    """How a line sounds: `language` as espeak-ng names it, and factors of 1, `range` how far the melody swings.
+
+    `variant` is female, male or a variant of espeak-ng; of another `engine`, its voice's name or its file in the
+    project.
+    """
 
     language: str = "en-us"
     variant: str = ""
     rate: float = 1.0
     pitch: float = 1.0
     volume: float = 1.0
+    range: float = 1.0
+    engine: str = "espeak"
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,12 +127,13 @@ class Cue:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause" or "reading".
+    """Something said of a stretch of the plain text: `kind` is "stress", "breath", "pause", "reading" or "mark".
 
-    `value` is a pause's seconds as text or a reading as written; a breath and a pause have start == end.
+    `value` is a pause's seconds as text, a reading as written, or the name of a mark; a breath, a pause and a mark have
+    start == end.
     """
 
-    kind: Literal["stress", "breath", "pause", "reading"]
+    kind: Literal["stress", "breath", "pause", "reading", "mark"]
     start: int
     end: int
     value: str = ""
@@ -202,7 +209,40 @@ class SetLife:
     over: Amount = 0.0
 
 
-Verb = Look | Glance | Scan | Show | Add | Drop | Gesture | Say | Wait | WaitUntil | SetBackground | View | SetLife
+@dataclass(frozen=True, slots=True)
+class SetPicture:
+    """The picture beside the face in a book: its path inside the project, None for none; `caption` is also said in
+    its place."""
+
+    picture: str | None
+    caption: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class AddLink:
+    """A link beside the face in a book from here to the scene's end: an http, https or mailto address, and its text."""
+
+    address: str
+    text: str
+
+
+Verb = (
+    Look
+    | Glance
+    | Scan
+    | Show
+    | Add
+    | Drop
+    | Gesture
+    | Say
+    | Wait
+    | WaitUntil
+    | SetBackground
+    | View
+    | SetLife
+    | SetPicture
+    | AddLink
+)
 
 # ------------------------------------------------------------------------------------------------ blocks
 

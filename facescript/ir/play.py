@@ -16,7 +16,8 @@ MAIN = "main"
 
 @dataclass(frozen=True, slots=True)
 class Film:
-    """What the outputs are like. `screen` is the fraction of the true angle at which near targets are looked at."""
+    """What the outputs are like. `screen` is the fraction of the true angle at which near targets are looked at;
+    `title` and `author` are what books and pages bear, "" where nothing is said."""
 
     width: int = 1280
     height: int = 720
@@ -25,6 +26,8 @@ class Film:
     long: float | None = None
     screen: float = 1 / 3
     wide_cm: float = 50.0
+    title: str = ""
+    author: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +92,8 @@ Target = FixedTarget | MovingTarget | Crowd
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """A scene: the faces in it, what is set before it begins, and its block. Every scene starts neutral."""
+    """A scene: the faces in it, what is set before it begins, and its block. Every scene starts neutral. `title` is
+    that of the chapter it is in a book, "" where it has none but its name."""
 
     name: str
     faces: tuple[str, ...]
@@ -97,6 +101,7 @@ class Scene:
     span: Span
     background: SetBackground | None = None
     view: View | None = None
+    title: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,8 @@ import re
 import unicodedata
 from functools import lru_cache
 
+from facescript.ir.acts import Say
+
 _RANGES = (
     "\u0e00-\u0eff\u1000-\u109f\u1780-\u17ff\u3000-\u30ff\u3400-\u9fff\uf900-\ufaff\uff00-\uffef\U00020000-\U0003ffff"
 )
@@ -42,6 +44,14 @@ def occurrences(text: str, word: str) -> tuple[tuple[int, int], ...]:
         else:
             index += 1
     return tuple(places)
+
+
+def marked(line: Say, name: str) -> tuple[int, ...]:
+    """The marks of a line that are called `name`, by their numbers among its stretches; such a mark is meant rather
+    than a word."""
+    return tuple(
+        number for number, stretch in enumerate(line.stretches) if stretch.kind == "mark" and stretch.value == name
+    )
 
 
 @lru_cache(maxsize=256)

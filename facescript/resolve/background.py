@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 
 from facescript.ir.acts import Gradient, SetBackground
-from facescript.resolve.files import project_path
 from facescript.resolve.lines import Line
+from facescript.resolve.pictures import picture_path
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.reader import Reader
@@ -19,7 +18,6 @@ from facescript.resolve.units import ANGLE, TIME
 from facescript.resolve.words import COURSES, NOTHING
 from facescript.syntax.tree import Colour, Dotted, Name, String, Word
 from facescript.text import Span
-from facescript.world import WorldFailure
 
 MOST_COLOURS = 16
 """Colours of one gradient."""
@@ -31,9 +29,6 @@ DOWN = -90.0
 """The direction of a gradient that does not say its own, deg."""
 
 DIRECTIONS = {"top to bottom": DOWN, "left to right": 0.0, "round": None}
-
-ADDRESS = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:|[/\\]{2}")
-"""How what is no path begins: `https:`, `file:`, `data:`, `//host`. One letter and a colon are a drive."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +119,7 @@ def _part(project: Project, reader: Reader) -> list[Part]:
     if isinstance(word, Colour):
         return [Part(word.span, colour=word.text.lower())]
     if isinstance(word, String):
-        return [Part(word.span, picture=_picture(project, word.value, word.span))]
+        return [Part(word.span, picture=picture_path(project, word.value, word.span))]
     if isinstance(word, Name) and word.text == NOTHING:
         return [Part(word.span)]
     if isinstance(word, Name | Dotted):
@@ -140,7 +135,7 @@ def _named(project: Project, word: Name | Dotted, scope: Scope) -> list[Part] | 
         return None
     with inside(project, expansion, word.span):
         if expansion.cell is not None and not is_ground(project, expansion.words, expansion.scope):
-            return [Part(word.span, picture=_picture(project, expansion.cell.text, word.span))]
+            return [Part(word.span, picture=picture_path(project, expansion.cell.text, word.span))]
         reader = Reader(expansion.words, expansion.scope, word.span)
         parts = _parts(project, reader)
         left_over(project, reader)
@@ -152,33 +147,3 @@ def _no_ground(project: Project, word: Word | None, span: Span) -> Refused:
     slip = isinstance(word, Name) and (word.text in NOTHING_TOO or nearest(word.text, (NOTHING,)))
     fixes = (instead(span, NOTHING),) if slip else ()
     return project.refuse("FS314", span, fixes=fixes, text=span.text, advice=advice)
-
-
-# ------------------------------------------------------------------------------------------------ pictures
-
-
-def _picture(project: Project, path: str, span: Span) -> str:
-    """The path in the project of a picture that can be used. Raises `Refused`."""
-    if ADDRESS.match(path):
-        reason = "it is an address, and nothing is fetched; keep the picture in the project's folder and name that file"
-        raise project.refuse("FS701", span, path=path, reason=reason)
-    found = project_path(span, path)
-    try:
-        if found not in project.pictures:
-            project.pictures[found] = _fault(project.world.read(found))
-    except WorldFailure as failure:
-        raise project.refuse("FS701", span, path=path, reason=failure.args[0]) from None
-    if fault := project.pictures[found]:
-        raise project.refuse("FS720", span, path=path, reason=fault)
-    return found
-
-
-def _fault(data: bytes) -> str:
-    """Why a picture cannot be used, nothing where it can."""
-    from facescript.pictures import PictureFailure, opened  # Pillow is loaded by scripts that have pictures alone
-
-    try:
-        opened(data)
-    except PictureFailure as failure:
-        return str(failure.args[0])
-    return ""

@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any
 
 from facescript.ir.acts import At, Choose, Cue, Do, Node, Say, Sequence, Together, Verb
-from facescript.resolve import background, gaze, shows, speech, stage
+from facescript.resolve import background, beside, gaze, shows, speech, stage
 from facescript.resolve.actions import call
 from facescript.resolve.lines import Line
 from facescript.resolve.marks import check_word
@@ -38,6 +38,8 @@ HANDLERS: dict[str, Handler] = {
     "background": background.background,
     "view": stage.view,
     "life": stage.life,
+    "picture": beside.picture,
+    "link": beside.link,
 }
 
 ROWS: dict[str, Mapping[str, Modifier]] = {
@@ -128,7 +130,7 @@ def _done(project: Project, verb: Verb, face: str | None, line: Line, span: Span
     label = line.name("as")
     full = line.scope.label(label.text) if label is not None else None
     if full is not None:
-        project.lines[full] = verb.text if isinstance(verb, Say) else None
+        project.lines[full] = verb if isinstance(verb, Say) else None
     return Do(verb, face, full, span)
 
 
@@ -136,7 +138,7 @@ def _say(project: Project, act: tree.Act, place: Place) -> Node:
     face = doer(project, "say", place, act.span)
     line = Line(project, "say", act.phrases, ROWS["say"], place.scope)
     said, inlines = speech.say(project, line, place, act.more)
-    cues = _inline_cues(project, inlines, len(said.text), place) + _word_cues(project, act, said.text, place)
+    cues = _inline_cues(project, inlines, len(said.text), place) + _word_cues(project, act, said, place)
     return _done(project, dataclasses.replace(said, cues=cues), face, line, act.span)
 
 
@@ -179,11 +181,11 @@ def _with_add(inline: Inline) -> tuple[tree.Phrase, ...]:
     return (tree.Phrase((verb, *first.words), first.span), *inline.phrases[1:])
 
 
-def _word_cues(project: Project, act: tree.Act, text: str, place: Place) -> tuple[Cue, ...]:
+def _word_cues(project: Project, act: tree.Act, said: Say, place: Place) -> tuple[Cue, ...]:
     cues = []
     spoilt = project.is_spoilt(act.span)
     for on in act.ons:
-        fits = not text or spoilt or check_word(project, text, on.word.value, on.nth, on.word.span)
+        fits = spoilt or check_word(project, said, on.word.value, on.nth, on.word.span)
         body = block(project, on.body, place, on.span)
         if fits:
             cues.append(Cue(body, word=on.word.value, nth=on.nth))

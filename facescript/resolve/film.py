@@ -12,9 +12,10 @@ from facescript.resolve.scope import GLOBAL
 from facescript.resolve.suggest import nearest
 from facescript.resolve.suggest import replace as written_as
 from facescript.resolve.sums import number
+from facescript.resolve.texts import bare_text
 from facescript.resolve.units import COUNT, FRAMES, LENGTH, SHARE, TIME, UNITS
 from facescript.resolve.words import FILM
-from facescript.syntax.tree import Integer, Name, Quantity, Setting, Size, Word
+from facescript.syntax.tree import Integer, Name, Quantity, Setting, Size, String, Word
 from facescript.text import Span
 
 SCREENS = {"patent": 1 / 3, "measured": 0.6, "none": 1.0}
@@ -60,6 +61,10 @@ def _said(project: Project, found: Film, words: tuple[Word, ...], seen: dict[str
         return replace(found, long=_within(project, long, (0.001, LONGEST), f"1ms to {LONGEST:g}s", span))
     if name == "screen":
         return replace(found, screen=_screen(project, value, span))
+    if name == "title":
+        return replace(found, title=_text(project, name, value, span))
+    if name == "author":
+        return replace(found, author=_text(project, name, value, span))
     return replace(found, wide_cm=number(project, value, GLOBAL, LENGTH, span, least=1.0))
 
 
@@ -104,6 +109,12 @@ def _whole(project: Project, words: tuple[Word, ...], span: Span) -> int:
     if value != int(value):
         raise project.refuse("FS304", span, text=span.text, limits="whole numbers")
     return int(value)
+
+
+def _text(project: Project, name: str, words: tuple[Word, ...], span: Span) -> str:
+    if len(words) != 1 or not isinstance(words[0], String) or not bare_text(words[0]):
+        raise project.refuse("FS312", span, text=span.text, advice=f'it is written `{name} "TEXT"`')
+    return bare_text(words[0])
 
 
 def _screen(project: Project, words: tuple[Word, ...], span: Span) -> float:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from facescript.ir.acts import Say
 from facescript.ir.values import Mark
-from facescript.ir.wording import occurrences
-from facescript.resolve.project import Project, Refused
+from facescript.ir.wording import marked, occurrences
+from facescript.resolve.project import Project
 from facescript.resolve.reader import spelled
 from facescript.resolve.scope import Scope
 from facescript.syntax.tree import Dotted, Name
@@ -40,28 +41,27 @@ def check_marks(project: Project) -> None:
     for mark, span in project.marks:
         if mark.word is None or mark.label not in project.lines:
             continue
-        text = project.lines[mark.label]
-        if text is None:
+        line = project.lines[mark.label]
+        if line is None:
             project.report("FS230", span, label=mark.label, word=mark.word)
         else:
-            check_word(project, text, mark.word, mark.nth, span)
+            check_word(project, line, mark.word, mark.nth, span)
 
 
-def check_word(project: Project, text: str, word: str, nth: int, span: Span) -> bool:
-    """Whether a line has the `nth` `word`; if not, that is reported."""
-    count = len(occurrences(text, word))
+def check_word(project: Project, line: Say, word: str, nth: int, span: Span) -> bool:
+    """Whether a line has the `nth` `word`, or mark of that name; if not, that is reported. A text that could not be
+    read has its fault told elsewhere."""
+    if not line.text:
+        if line.recording is not None or line.times is not None:
+            project.report("FS520", span, word=word)
+        return line.recording is None and line.times is None
+    count = len(marked(line, word) or occurrences(line.text, word))
     if count == 0:
-        project.report("FS228", span, word=word, text=shortened(text))
+        project.report("FS228", span, word=word, text=shortened(line.text))
     elif nth < 1 or nth > count:
         times = "once" if count == 1 else f"{count} times"
         project.report("FS229", span, word=word, nth=nth, times=times)
     return 1 <= nth <= count
-
-
-def require_word(project: Project, text: str, word: str, nth: int, span: Span) -> None:
-    """As `check_word`, but raises `Refused`."""
-    if not check_word(project, text, word, nth, span):
-        raise Refused
 
 
 def shortened(text: str) -> str:

@@ -9,7 +9,7 @@ from facescript.resolve.scope import Scope
 from facescript.syntax.tree import Name
 from facescript.text import Span
 
-FACELESS = frozenset({"wait", "background", "view"})
+FACELESS = frozenset({"wait", "background", "view", "picture", "link"})
 """Verbs of the scene; all others are done by a face."""
 
 

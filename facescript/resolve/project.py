@@ -10,6 +10,7 @@ from typing import Any
 
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostics, Fix, Related, Severity
+from facescript.ir.acts import Say
 from facescript.ir.kind import Kind
 from facescript.ir.play import Face, Film, Target, Viseme
 from facescript.ir.values import Driver, Mark
@@ -68,12 +69,12 @@ class Project:
     spoilt: frozenset[str] = frozenset()
     spoilt_lines: frozenset[tuple[str, int]] = frozenset()
     drivers: dict[tuple[str, str], tuple[Driver, ...]] = field(default_factory=dict)
-    lines: dict[str, str | None] = field(default_factory=dict)
+    lines: dict[str, Say | None] = field(default_factory=dict)
     marks: list[tuple[Mark, Span]] = field(default_factory=list)
     refused: set[str] = field(default_factory=set)
     tables: dict[str, tuple[Any, ...]] = field(default_factory=dict)
     tracks: dict[str, Any] = field(default_factory=dict)
-    pictures: dict[str, str] = field(default_factory=dict)
+    pictures: dict[tuple[str, int], str] = field(default_factory=dict)
     most: int = MOST_NODES
     weight: int = 0
     stood_for: int = 0

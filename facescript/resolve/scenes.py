@@ -11,6 +11,7 @@ from facescript.resolve.labels import gather
 from facescript.resolve.place import Place, face_named
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.scope import GLOBAL, Scope
+from facescript.resolve.texts import bare_text
 from facescript.syntax import tree
 from facescript.text import Span
 
@@ -46,7 +47,8 @@ def scenes(project: Project, script: tree.Script, opening: Opening) -> list[Scen
             continue
         cast = _cast(project, item)
         body = _body(project, item.body, f"{name}.", cast, item.span)
-        found[name] = Scene(name, cast, body, item.span, opening.background, opening.view)
+        title = bare_text(item.title) if item.title is not None else ""
+        found[name] = Scene(name, cast, body, item.span, opening.background, opening.view, title)
     return list(found.values())
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 from facescript.ir.acts import Stretch
 from facescript.ir.wording import unspaced
@@ -19,6 +20,7 @@ LONGEST = 20_000
 """Characters of one line's text."""
 
 ESCAPES = '[]*|"\\'
+_ESCAPED = re.compile(rf"\\([{re.escape(ESCAPES)}])")
 _SPECIAL = re.compile(r"[\\\[*|]|\s+")
 
 
@@ -54,6 +56,11 @@ Piece = tuple[Source, int, int]
 """A stretch of a source that is text: between the quotes of a string, or a whole file."""
 
 
+def bare_text(string: String) -> str:
+    """A text that is not spoken, a title or a caption: signs behind `\\` are themselves, white space is one space."""
+    return " ".join(_ESCAPED.sub(r"\1", string.value).split())
+
+
 def pieces_of(strings: tuple[String, ...]) -> tuple[Piece, ...]:
     return tuple((string.span.source, string.span.start + 1, string.span.end - 1) for string in strings)
 
@@ -69,16 +76,37 @@ def read_text(project: Project, pieces: tuple[Piece, ...], scope: Scope, span: S
     return reader.finished(span)
 
 
-class _TextReader:
-    """Gathers plain text and marks. White space is one space; where a string or a line ends it is none between
-    characters of scripts that are written without."""
+class Plain:
+    """Gathers plain text. White space is one space; where a string or a line ends it is none between characters of
+    scripts that are written without."""
 
-    def __init__(self, project: Project, scope: Scope) -> None:
-        self.project = project
-        self.scope = scope
+    def __init__(self) -> None:
         self.out: list[str] = []
         self.length = 0
         self.gap = ""
+
+    def put(self, text: str) -> None:
+        """Text without white space."""
+        closed = self.gap == "end" and self.out and unspaced(self.out[-1][-1]) and unspaced(text[0])
+        if self.gap and self.out and not closed:
+            self.out.append(" ")
+            self.length += 1
+        self.gap = ""
+        self.out.append(text)
+        self.length += len(text)
+
+    def space(self, sign: str) -> None:
+        """White space."""
+        self.gap = "end" if "\n" in sign and self.gap != "space" else "space"
+
+
+class _TextReader(Plain):
+    """Gathers plain text and marks."""
+
+    def __init__(self, project: Project, scope: Scope) -> None:
+        super().__init__()
+        self.project = project
+        self.scope = scope
         self.stretches: list[Stretch] = []
         self.inlines: list[Inline] = []
         self.opened: list[Inline | _Reading] = []
@@ -104,20 +132,11 @@ class _TextReader:
                 if special[0] == "[":
                     at = max(at, _closing(text, at, end) + 1)
 
-    def put(self, text: str) -> None:
-        closed = self.gap == "end" and self.out and unspaced(self.out[-1][-1]) and unspaced(text[0])
-        if self.gap and self.out and not closed:
-            self.out.append(" ")
-            self.length += 1
-        self.gap = ""
-        self.out.append(text)
-        self.length += len(text)
-
     def special(self, source: Source, found: re.Match[str], end: int) -> int:
         """Reads one mark; the offset behind it."""
         sign, at = found[0], found.start()
         if sign[0].isspace():
-            self.gap = "end" if "\n" in sign and self.gap != "space" else "space"
+            self.space(sign)
         elif sign == "|":
             self.stretches.append(Stretch("breath", self.length, self.length))
         elif sign == "*":
@@ -204,8 +223,7 @@ class _TextReader:
             raise self.project.refuse("FS320", span)
         for inline in self.inlines:
             inline.at = _next_word(plain, inline.at)
-        stretches = tuple(_tight(plain, stretch) for stretch in self.stretches)
-        return Text(plain, tuple(sorted(stretches, key=lambda stretch: stretch.start)), tuple(self.inlines))
+        return Text(plain, tight(plain, self.stretches), tuple(self.inlines))
 
 
 def _closing(text: str, at: int, end: int) -> int:
@@ -221,8 +239,10 @@ def _next_word(plain: str, at: int) -> int:
     return at
 
 
-def _tight(plain: str, stretch: Stretch) -> Stretch:
-    """A stretch that begins at a character, not at the space before it."""
-    if stretch.start == stretch.end:
-        return stretch
-    return Stretch(stretch.kind, _next_word(plain, stretch.start), stretch.end, stretch.value)
+def tight(plain: str, stretches: Iterable[Stretch]) -> tuple[Stretch, ...]:
+    """Stretches in order, those over some text from a character on, not from the space before it."""
+    found = (
+        stretch if stretch.start == stretch.end else replace(stretch, start=_next_word(plain, stretch.start))
+        for stretch in stretches
+    )
+    return tuple(sorted(found, key=lambda stretch: stretch.start))

@@ -76,6 +76,7 @@ MODIFIERS: dict[str, Modifier] = _rows(
     _fixed("spontaneous", "manner", "it comes slowly, stays smaller, lives and lingers, as one that is felt"),
     _valued("rate", "percentage", "how fast the voice speaks"),
     _valued("pitch", "percentage", "how high the voice speaks"),
+    _valued("range", "percentage", "how far the voice's melody rises and falls"),
     _valued("volume", "percentage", "how loud the voice speaks"),
     _valued("blink", "rate", "blinks a minute"),
     _valued("brows", "rate", "brow raises a minute"),
@@ -96,7 +97,7 @@ MANNERS = ("posed", "spontaneous")
 LASTING = ("over", "for", "as")
 COURSES = ("top to bottom", "left to right", "towards", "round")
 NOTHING = "none"
-VOICE = ("rate", "pitch", "volume")
+VOICE = ("rate", "pitch", "range", "volume")
 
 
 def _verbs(*rows: Verb) -> dict[str, Verb]:
@@ -132,11 +133,24 @@ VERBS: dict[str, Verb] = _verbs(
         "sets what is behind the faces",
     ),
     Verb("view", "view FACE PERCENTAGE|all", ("over", "as"), "all, over 0ms", "moves the camera to a face, or to all"),
+    Verb(
+        "picture",
+        'picture "PICTURE" "CAPTION"|none',
+        ("as",),
+        "until the next `picture`",
+        "shows a picture beside the faces, in books",
+    ),
+    Verb("link", 'link "ADDRESS" "TEXT"', ("as",), "until the scene's end", "shows a link beside the faces, in books"),
     Verb("life", "life PRESET", (*KNOBS, "over", "as"), "over 0ms", "sets what the face does unasked"),
 )
 
 VOICED = _rows(
-    Modifier("voice", ("voice", VALUE), "voice", "the language, and `female`, `male` or a variant's name"),
+    Modifier(
+        "voice",
+        ("voice", VALUE),
+        "voice",
+        "the language, and `female`, `male`, a variant's name, or an engine and its voice",
+    ),
     *(MODIFIERS[name] for name in VOICE),
 )
 
@@ -174,6 +188,8 @@ FILM: dict[str, Modifier] = _rows(
     Modifier("long", (VALUE, "long"), "time", "a build ends there"),
     _valued("screen", "screen", "`patent`, `measured`, `none` or a percentage: how far gaze at near targets turns"),
     Modifier("wide", (VALUE, "wide"), "length", "the picture's physical width"),
+    _valued("title", "text", "the title of pages and books"),
+    _valued("author", "text", "who wrote the book"),
 )
 
 EASES = ("linear", "smooth", "in", "out", "in-out")

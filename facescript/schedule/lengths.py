@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from facescript.ir.acts import (
     Add,
+    AddLink,
     Drop,
     Gesture,
     Glance,
@@ -14,6 +15,7 @@ from facescript.ir.acts import (
     Scan,
     SetBackground,
     SetLife,
+    SetPicture,
     Show,
     Verb,
     View,
@@ -63,6 +65,8 @@ class Lengths:
             return sum(dwells(verb, self.presence.size(verb.crowd, start), self.concrete.seed, step.place()))
         if isinstance(verb, (SetBackground, View, SetLife)):
             return seconds(verb.over)
+        if isinstance(verb, (SetPicture, AddLink)):
+            return 0.0
         assert isinstance(verb, Wait)
         return seconds(verb.duration)
 

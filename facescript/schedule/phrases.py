@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from facescript.ir.acts import (
     Add,
+    AddLink,
     Drop,
     GazeManner,
     Gesture,
@@ -13,6 +14,7 @@ from facescript.ir.acts import (
     Scan,
     SetBackground,
     SetLife,
+    SetPicture,
     Show,
     Timing,
     Verb,
@@ -58,6 +60,10 @@ def _rest(verb: Verb) -> str:
             return f"view {face or 'all'}{'' if zoom == 1.0 else f' {percent(zoom)}'}"
         case SetLife(life):
             return f"life {life.name}"
+        case SetPicture(picture):
+            return "picture none" if picture is None else f'picture "{picture}"'
+        case AddLink(address):
+            return f'link "{address}"'
         case Wait(length):
             return f"wait {duration(length)}"
         case WaitUntil():

@@ -6,7 +6,7 @@ from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field, replace
 
 from facescript.ir.acts import Say
-from facescript.ir.wording import occurrences
+from facescript.ir.wording import marked, occurrences
 from facescript.speech.model import Doubt, Spoken, VoiceBox, VoiceFailure, WordTime
 from facescript.text import Span
 
@@ -49,6 +49,10 @@ class Voices:
     def word(self, line: Say, span: Span, word: str, nth: int) -> tuple[float, float]:
         """Seconds from the line's start to the start and the end of a word. Raises `ValueError` where the play asks
         for a word that the line does not have."""
+        marks = marked(line, word)
+        if 1 <= nth <= len(marks):
+            time = _at_mark(line, marks[nth - 1], self.speak(line, span))
+            return time, time
         key = (line.text, word)
         if key not in self._places:
             self._places[key] = occurrences(*key)
@@ -58,6 +62,15 @@ class Voices:
         first, last = places[nth - 1]
         spoken = self.speak(line, span)
         return starts_at(spoken, first), ends_at(spoken, last)
+
+
+def _at_mark(line: Say, number: int, spoken: Spoken) -> float:
+    """When a mark is passed: as the next word begins, or as the word before it ends where a pause follows it."""
+    mark = line.stretches[number]
+    later = (stretch for stretch in line.stretches[number + 1 :] if stretch.start == mark.start)
+    if any(stretch.kind in ("breath", "pause") for stretch in later):
+        return ends_at(spoken, mark.start)
+    return starts_at(spoken, mark.start)
 
 
 def starts_at(spoken: Spoken, character: int) -> float:

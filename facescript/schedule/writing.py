@@ -7,11 +7,13 @@ from dataclasses import dataclass
 
 from facescript.ir.acts import (
     Add,
+    AddLink,
     Glance,
     Look,
     Scan,
     SetBackground,
     SetLife,
+    SetPicture,
     Show,
     Verb,
     View,
@@ -29,6 +31,9 @@ from facescript.space.plan import GazePlan
 
 SEEDS = 2**53
 """So many seeds of acts there are: a draw has as many bits."""
+
+LEFT_ON = (SetBackground, View, SetLife, SetPicture, AddLink)
+"""Verbs whose acts hold until something takes their place."""
 
 HOLD = 1.0
 """Seconds that life goes on after a `stop`, in a film that does not say how long it is."""
@@ -119,14 +124,17 @@ class Writing:
             spoken = self.round.times.voices.speak(sound.line, node.span)
             label = in_pass(node.label, sound.step.passes) if node.label else None
             cut = sound.end if sound.cut else None
-            lines.append(TimedLine(sound.face, sound.start, spoken, sound.line.voice.volume, node.span, label, cut))
+            said = sound.line
+            lines.append(
+                TimedLine(sound.face, sound.start, spoken, said.voice.volume, node.span, label, cut, said.text)
+            )
         return tuple(sorted(lines, key=lambda line: line.start))
 
     def _scenes(self, duration: float) -> Iterator[TimedScene]:
         starts = (*self.round.starts()[1:], duration)
         for played, end in zip(self.round.scenes, starts, strict=True):
             scene = self.play.scenes[played.scene]
-            yield TimedScene(scene.name, scene.faces, played.root.start, end)
+            yield TimedScene(scene.name, scene.faces, played.root.start, end, scene.title)
 
     def _markers(self) -> Iterator[Marker]:
         """Every statement with a name, where it starts: a line that was broken off, where it is begun again."""
@@ -153,4 +161,4 @@ def _end(deed: Deed, plan: tuple[GazePlan, ...]) -> float:
         return deed.release + seconds(deed.verb.timing.back)
     if isinstance(deed.verb, (Look, Glance, Scan)):
         return gone(plan, deed.release)
-    return FOREVER if isinstance(deed.verb, (SetBackground, View, SetLife)) else deed.settled
+    return FOREVER if isinstance(deed.verb, LEFT_ON) else deed.settled

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from facescript.ir.acts import Say
+from facescript.speech.spool import Kept
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,19 +47,24 @@ class Doubt:
 
 @dataclass(frozen=True, slots=True, weakref_slot=True)
 class Spoken:
-    """A line as sound: mono samples (16-bit little-endian bytes) at `rate` Hz, words, phones, seconds.
+    """A line as sound: mono samples at `rate` Hz in memory or in a file, words, phones, seconds.
 
     `estimated` lines have times but no sound: no voice was started for them. `doubts` are what the author should know
     of a line that is spoken all the same.
     """
 
-    pcm: bytes
+    sound: bytes | Kept
     rate: int
     duration: float
     words: tuple[WordTime, ...]
     phones: tuple[PhoneTime, ...]
     estimated: bool = False
     doubts: tuple[Doubt, ...] = ()
+
+    @property
+    def pcm(self) -> bytes:
+        """The samples, 16-bit little-endian; read from the file where they are kept in one."""
+        return self.sound if isinstance(self.sound, bytes) else self.sound.read()
 
 
 class VoiceBox(Protocol):

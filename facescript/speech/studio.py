@@ -7,17 +7,21 @@ from dataclasses import replace
 from facescript.ir.acts import Say
 from facescript.speech.espeak.voicebox import open_voice
 from facescript.speech.model import Spoken, VoiceBox
+from facescript.speech.spool import Spool
+from facescript.speech.voices.ensemble import Ensemble
 from facescript.world import World
 
 
 class Studio:
-    """A `VoiceBox` for a project: what a line names is read from `world`, all else is spoken by `voice`."""
+    """A `VoiceBox` for a project: what a line names is read from `world`, all else is spoken by `voice`. The sound of
+    a long script is kept in a file."""
 
     def __init__(self, world: World, voice: VoiceBox) -> None:
-        self._world, self._voice = world, voice
+        self._world, self._voice, self._spool = world, voice, Spool()
 
     def speak(self, line: Say) -> Spoken:
-        return _stressed(self._spoken(line), line)
+        spoken = _stressed(self._spoken(line), line)
+        return replace(spoken, sound=self._spool.keep(spoken.pcm))
 
     def _spoken(self, line: Say) -> Spoken:
         if line.recording is None and line.times is None:
@@ -40,5 +44,5 @@ def _stressed(spoken: Spoken, line: Say) -> Spoken:
 
 
 def open_studio(world: World) -> VoiceBox:
-    """The default voice, and the files of a project."""
-    return Studio(world, open_voice())
+    """The voices of all engines, and the files of a project."""
+    return Studio(world, Ensemble(world, open_voice()))

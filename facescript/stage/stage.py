@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.canvas.overlay import Stickers
 from facescript.performance.performance import Performance
 from facescript.rig.picture import Shape
 from facescript.schedule.score import Score, TimedAct
@@ -22,12 +23,15 @@ Floats = NDArray[np.float64]
 @dataclass(frozen=True, slots=True)
 class StageFrames:
     """Frames of the film: `points` array[frame, point, 2] in film px (y down), `opacity` array[frame, shape] 0..1,
-    `turns` array[frame, shape] in radians (`rig.picture.Picture`), and the ground behind them, one a frame."""
+    `turns` array[frame, shape] in radians (`rig.picture.Picture`), and the ground behind them, one a frame. `views`,
+    array[frame, (scale, left, top)], is how the camera has set the points: px of the whole picture times scale plus
+    (left, top)."""
 
     points: Floats
     opacity: Floats
     turns: Floats
     grounds: tuple[Ground, ...]
+    views: Floats
 
 
 class Stage:
@@ -35,10 +39,18 @@ class Stage:
 
     `shapes` are in drawing order: the backdrops of all faces, then face by face. With several faces their ids carry
     the face's name (`ada-mouth`); `owners` are the shapes' faces. `pictures` reads a background picture by its path.
-    `clear` is the first act that makes the ground transparent, None where none does.
+    `clear` is the first act that makes the ground transparent, None where none does; `over` is what is laid over the
+    picture, None for nothing.
     """
 
-    def __init__(self, score: Score, performance: Performance, pictures: Callable[[str], bytes]) -> None:
+    def __init__(
+        self,
+        score: Score,
+        performance: Performance,
+        pictures: Callable[[str], bytes],
+        over: Stickers | None = None,
+    ) -> None:
+        self.over = over
         self.width, self.height = score.film.width, score.film.height
         self.pictures = pictures
         self._score = score
@@ -69,7 +81,8 @@ class Stage:
         opacity = opacity[:, self._order]
         grounds = tuple(self._grounds.at(time) for time in times.tolist())
         opacity[:, : self._backdrops] *= np.array([own_share(ground) for ground in grounds])[:, None]
-        return StageFrames(self._looked_at(points, times), opacity, turns[:, self._order], grounds)
+        views = np.array([self._camera.at(time) for time in times.tolist()]).reshape(-1, 3)
+        return StageFrames(self._looked_at(points, views), opacity, turns[:, self._order], grounds, views)
 
     def _place(self) -> None:
         """Join the shapes of all faces, backdrops first."""
@@ -92,10 +105,9 @@ class Stage:
         present: Floats = with_face[np.maximum(0, np.searchsorted(starts, times, side="right") - 1)]
         return present
 
-    def _looked_at(self, points: Floats, times: Floats) -> Floats:
+    def _looked_at(self, points: Floats, views: Floats) -> Floats:
         """Picture px to film px: the camera's affine of each moment."""
         if not self._camera.moves:
             return points
-        views = np.array([self._camera.at(time) for time in times.tolist()])
         seen: Floats = points * views[:, None, :1] + views[:, None, 1:]
         return seen

@@ -199,8 +199,9 @@ class Builder:
         return tree.Use(children[0], Span(self.source, start, end))
 
     def scene(self, children: list[Any], start: int, end: int) -> tree.Scene:
-        name, *faces, body = children
-        return tree.Scene(name, tuple(faces), body, Span(self.source, start, end))
+        name, *rest, body = children
+        title = rest.pop(0) if rest and isinstance(rest[0], tree.String) else None
+        return tree.Scene(name, tuple(rest), body, Span(self.source, start, end), title)
 
     def when(self, children: list[Any], start: int, end: int) -> tree.When:
         event, body = children

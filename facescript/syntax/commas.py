@@ -37,7 +37,7 @@ DIRECT = frozenset(("over", "for", "back", "ease", "from", "timed", "to", "as"))
 """What begins a modifier that follows directly."""
 
 _GAZE = frozenset(("eyes", "head", "speed", "latency", "nearest"))
-_VOICE = frozenset(("rate", "pitch", "volume"))
+_VOICE = frozenset(("rate", "pitch", "range", "volume"))
 _KNOBS = frozenset(("blink", "brows", "sway", "nods", "saccades", "avert"))
 _MANNERS = frozenset(("posed", "spontaneous"))
 _BEGIN = {

@@ -256,12 +256,13 @@ class Use:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """`scene NAME [with FACE, FACE]: ...`."""
+    """`scene NAME ["TITLE"] [with FACE, FACE]: ...`."""
 
     name: Name
     faces: tuple[Name, ...]
     body: tuple[Statement, ...]
     span: Span
+    title: String | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,8 +25,11 @@ from facescript.canvas.box import Box
 from facescript.canvas.planes import Planes
 from facescript.canvas.video import video_pixels
 from facescript.compile import compile_source
+from facescript.schedule.score import TimedLine
 from facescript.speech.estimate import EstimatedVoice
-from facescript.text import Source
+from facescript.speech.model import Spoken
+from facescript.speech.sound.mix import Soundtrack
+from facescript.text import Source, Span
 from facescript.world import World
 
 SCRIPT = """\
@@ -58,8 +61,10 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
 def speaking(job: Job) -> Job:
     """The same with a sound: a tone."""
     sounding = replace(job)
-    tone = (8000 * np.sin(np.arange(round(job.score.duration * 22050)) * 0.1)).astype(np.int16)
-    sounding.__dict__["sound"] = (tone, 22050)
+    tone = (8000 * np.sin(np.arange(round(job.score.duration * 22050)) * 0.1)).astype("<i2")
+    spoken = Spoken(tone.tobytes(), 22050, job.score.duration, (), ())
+    line = TimedLine("ada", 0.0, spoken, 1.0, Span(Source("", ""), 0, 0))
+    sounding.__dict__["sound"] = Soundtrack((line,), 22050, 0, len(tone))
     return sounding
 
 

@@ -17,7 +17,7 @@ from facescript.speech.studio import open_studio
 from facescript.text import Source
 from facescript.world import World
 
-VOICES = {"check": lambda world: EstimatedVoice(), "build": open_studio}
+VOICES = {"check": EstimatedVoice, "build": open_studio}
 SCRIPTED = [entry for entry in CATALOGUE.values() if entry.stage in VOICES]
 COMMANDED = [entry for entry in CATALOGUE.values() if entry.stage == "command"]
 
@@ -26,10 +26,15 @@ def name(entry: Entry) -> str:
     return f"{entry.code}-{entry.name}"
 
 
-def diagnostics(entry: Entry, text: str, folder: Path) -> Iterator[Diagnostic]:
+def put(entry: Entry, folder: Path) -> None:
+    """The files that an example reads."""
     for path, content in entry.files.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(content, "utf-8")
+
+
+def diagnostics(entry: Entry, text: str, folder: Path) -> Iterator[Diagnostic]:
+    put(entry, folder)
     world = World(folder)
     yield from compile_source(Source("script.face", text), world, VOICES[entry.stage](world)).diagnostics
 
@@ -51,6 +56,7 @@ def test_good_example_is_clean(entry: Entry, tmp_path: Path) -> None:
 def test_command_line_gives_the_code(
     entry: Entry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    put(entry, tmp_path)
     (tmp_path / "script.face").write_text(entry.bad, "utf-8")
     monkeypatch.chdir(tmp_path)
     assert (main(list(entry.command)) != 0) == (entry.severity is Severity.ERROR)

@@ -121,7 +121,7 @@ def test_the_head_rests_in_a_long_pause_of_a_line() -> None:
     spoken = hum(6.0, {1.0: 6.0, 5.0: 6.0})
     quiet = np.frombuffer(spoken.pcm, "<i2").copy()
     quiet[round(2.0 * spoken.rate) : round(4.0 * spoken.rate)] = 0
-    paused = replace(spoken, pcm=quiet.tobytes())
+    paused = replace(spoken, sound=quiet.tobytes())
     moving, silent = (drawn(life(sway=1.0), lines, 8.0, 100.0) for lines in ((said(paused, 1.0),), ()))
     for axis in HEAD:
         way = np.abs(moving[axis] - silent[axis])
@@ -129,8 +129,8 @@ def test_the_head_rests_in_a_long_pause_of_a_line() -> None:
 
 
 def test_a_line_without_sound_or_voice_leaves_the_head_alone() -> None:
-    empty = replace(hum(3.6), pcm=b"")
-    silence = replace(hum(3.6), pcm=bytes(len(hum(3.6).pcm)))
+    empty = replace(hum(3.6), sound=b"")
+    silence = replace(hum(3.6), sound=bytes(len(hum(3.6).pcm)))
     for spoken in (empty, silence):
         moving, silent = (drawn(life(sway=1.0), lines, 6.0, 100.0) for lines in ((said(spoken, 1.0),), ()))
         assert all(np.array_equal(moving[axis], silent[axis]) for axis in HEAD)

@@ -107,7 +107,8 @@ def place(where: values.Point | values.PicturePlace) -> str:
 
 def voice(item: acts.Voice) -> str:
     variant = f" {item.variant}" if item.variant else ""
-    return f"{item.language}{variant} rate {item.rate:.3g} pitch {item.pitch:.3g} volume {item.volume:.3g}"
+    swing = f" range {item.range:.3g}" if item.range != 1 else ""
+    return f"{item.language}{variant} rate {item.rate:.3g} pitch {item.pitch:.3g}{swing} volume {item.volume:.3g}"
 
 
 def life(item: acts.Life) -> str:

@@ -70,7 +70,7 @@ def test_without_sound_the_stress_says_where_accents_are() -> None:
 
 
 def test_silence_and_sound_without_phones_have_none() -> None:
-    assert accents(replace(hum(1.0), pcm=bytes(44_100))) == ()
+    assert accents(replace(hum(1.0), sound=bytes(44_100))) == ()
     assert accents(replace(hum(1.0, higher={0.5: 6.0}), phones=(PhoneTime("", 0.0, 1.0),))) == ()
 
 

@@ -140,10 +140,14 @@ def photo_name(photo: Photo) -> str:
     return f"photo-{sha256(photo.path.encode()).hexdigest()[:8]}"
 
 
-def _address(data: bytes) -> str:
+def picture_kind(data: bytes) -> str:
+    """What a picture's bytes are, as browsers call it."""
+    return next((kind for first, kind in KINDS.items() if data.startswith(first)), "application/octet-stream")
+
+
+def photo_address(data: bytes) -> str:
     """A picture's bytes as an address that holds them."""
-    kind = next((kind for first, kind in KINDS.items() if data.startswith(first)), "application/octet-stream")
-    return f"data:{kind};base64,{base64.b64encode(data).decode('ascii')}"
+    return f"data:{picture_kind(data)};base64,{base64.b64encode(data).decode('ascii')}"
 
 
 def photo_element(photo: Photo, data: bytes, size: tuple[int, int]) -> etree._Element:
@@ -151,5 +155,5 @@ def photo_element(photo: Photo, data: bytes, size: tuple[int, int]) -> etree._El
     box = {"width": str(size[0]), "height": str(size[1])}
     group = svg("g", id=photo_name(photo))
     group.append(svg("rect", fill="#ffffff", **box))
-    group.append(svg("image", href=_address(data), preserveAspectRatio="xMidYMid slice", **box))
+    group.append(svg("image", href=photo_address(data), preserveAspectRatio="xMidYMid slice", **box))
     return group

@@ -26,9 +26,10 @@ HERE = 2.0
 """The same that a face is worth which is there."""
 
 
-def telling_moment(job: Job) -> float:
-    """Seconds; the first of the best."""
-    times = np.linspace(job.start, job.end, LOOKS, endpoint=False)
+def telling_moment(job: Job, start: float | None = None, end: float | None = None) -> float:
+    """Seconds; the first of the best from `start` to `end`, which are the job's own where they are not said."""
+    first, last = job.start if start is None else start, job.end if end is None else end
+    times = np.linspace(first, last, LOOKS, endpoint=False)
     worth = np.zeros(LOOKS)
     for face in (face.name for face in job.score.faces if face.seen):
         poses = job.performance.sample_face(face, times)

@@ -5,6 +5,9 @@ from __future__ import annotations
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.model import Severity
 
+_SILENCE = "RIFF\x24\x20\0\0WAVEfmt \x10\0\0\0\1\0\1\0\0\x20\0\0\0\x40\0\0\2\0\x10\0data\0\x20\0\0" + "\0" * 0x2000
+"""A WAV file of half a second without sound, every byte of it ASCII."""
+
 SPEECH: tuple[Entry, ...] = (
     Entry(
         "FS501",
@@ -58,6 +61,108 @@ SPEECH: tuple[Entry, ...] = (
         files={"take.wav": "not sound"},
     ),
     Entry(
+        "FS507",
+        "engine-missing",
+        Severity.ERROR,
+        "This voice cannot be heard here: {reason}.",
+        'face ada = woman, voice en-us flite "slt"\n\nsay "Hello."\n',
+        'say "Hello."\n',
+        "espeak-ng comes with FaceScript; every other engine is a program that you install.",
+        stage="unforced",
+    ),
+    Entry(
+        "FS508",
+        "engine-unknown",
+        Severity.ERROR,
+        "There is no such engine of voices: {reason}.",
+        'face ada = woman, voice en-us festival "slt"\n\nsay "Hello."\n',
+        'face ada = woman, voice en-us\n\nsay "Hello."\n',
+        "Behind the language stands an engine with its voice in quotes, or a variant of the usual voice without.",
+        stage="build",
+    ),
+    Entry(
+        "FS509",
+        "voice-unable",
+        Severity.WARNING,
+        "This voice does not do all that the line asks for: {reason}.",
+        'face ada = woman, voice en-us flite "slt", range 150%\n\nsay "Hello."\n',
+        'face ada = woman, voice en-us, range 150%\n\nsay "Hello."\n',
+        "The line is spoken without it.",
+        stage="unforced",
+    ),
+    Entry(
+        "FS515",
+        "times-unusable",
+        Severity.ERROR,
+        "The file of times cannot be used: {reason}.",
+        'say "Hello." timed "take.vtt"\n',
+        'say "Hello."\n',
+        "A file of times is a TextGrid, WebVTT, SRT, JSON, TSV or CSV of the project (docs/speech.md).",
+        files={"take.vtt": "WEBVTT\n\n00:02.000 --> 00:01.000\nHello.\n"},
+    ),
+    Entry(
+        "FS516",
+        "times-differ",
+        Severity.WARNING,
+        "The file of times does not fit the line: {reason}.",
+        'say "Hello cup." timed "take.csv"\n',
+        'say "Hello moon." timed "take.csv"\n',
+        "Words that the file lacks get the time between their neighbours.",
+        files={"take.csv": "word,start,end\nhello,0.1,0.5\nmoon,0.6,1\n"},
+    ),
+    Entry(
+        "FS517",
+        "ssml-unreadable",
+        Severity.ERROR,
+        "The SSML cannot be read: {reason}.",
+        'say ssml "hello.ssml"\n',
+        'say "Hello."\n',
+        "A document type, and with it every entity but the five of XML, is refused: nothing is resolved or fetched.",
+        files={"hello.ssml": "<speak>Hello.</speek>"},
+    ),
+    Entry(
+        "FS518",
+        "ssml-left-out",
+        Severity.WARNING,
+        "`{tag}` is left out: {reason}.",
+        'say ssml "hello.ssml"\n',
+        'say "Hello, everyone.", rate 75%\n',
+        "What SSML can say and a line cannot; the text is spoken all the same.",
+        files={"hello.ssml": '<speak>Hello, <prosody rate="slow">everyone</prosody>.</speak>'},
+    ),
+    Entry(
+        "FS519",
+        "ssml-language",
+        Severity.WARNING,
+        "The SSML is written in `{written}`, and the face's voice speaks `{voice}`.",
+        'say ssml "hello.ssml"\n',
+        'face ada = woman, voice fr-fr\n\nsay ssml "hello.ssml"\n',
+        "The voice is that of the face.",
+        files={"hello.ssml": '<speak xml:lang="fr">Bonjour.</speak>'},
+    ),
+    Entry(
+        "FS520",
+        "words-unknown",
+        Severity.ERROR,
+        "This line has no text, so where “{word}” is in it cannot be found.",
+        'say from "take.wav"\n    on "cup": nod\n',
+        'say "Take the cup." from "take.wav"\n    on "cup": nod\n',
+        "Write what is said before `from`, or give the moment in seconds: `at take + 1.2s:` for a line named with "
+        "`as take`.",
+        files={"take.wav": "not sound"},
+    ),
+    Entry(
+        "FS521",
+        "nothing-heard",
+        Severity.WARNING,
+        "Nobody is heard in the recording: {reason}.",
+        'say from "silence.wav"\n',
+        'say "Hello."\n',
+        "The mouth stays closed while it plays. `silence.wav` is half a second without sound.",
+        files={"silence.wav": _SILENCE},
+        stage="build",
+    ),
+    Entry(
         "FS523",
         "viseme-unreadable",
         Severity.ERROR,
@@ -86,5 +191,14 @@ SPEECH: tuple[Entry, ...] = (
         "A voice that an author brings, or a file of times, has a sound that the table of visemes does not: a "
         'definition such as `viseme "ꙮ" = "o"` says what the mouth does. All voices of espeak-ng are in the table.',
         stage="unforced",
+    ),
+    Entry(
+        "FS535",
+        "link-address",
+        Severity.ERROR,
+        "“{address}” is no address for a link: {reason}.",
+        'link "www.example.org" "About lakes"\nnod\n',
+        'link "https://www.example.org" "About lakes"\nnod\n',
+        "A link leads to a page (`https://`, `http://`) or to somebody's post box (`mailto:`).",
     ),
 )

@@ -90,7 +90,7 @@ def _beats(life: Living, accented: Iterable[Accented]) -> Iterator[tuple[Event, 
 def melody(life: Living) -> Iterable[Moved]:
     """The head goes with F0 and energy while the face speaks (knob `sway`); the announcer's does not."""
     size = life.knob("sway")
-    sounding = [(name, line) for name, line in said(life) if line.spoken.pcm]
+    sounding = [(name, line) for name, line in said(life) if line.spoken.sound]
     if size <= 0.0 or life.announcing or not sounding:
         return
     first, last = (round(time / SPACING) for time in (sounding[0][1].start - EDGE, sounding[-1][1].end + EDGE))

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import unicodedata
 from bisect import bisect_right
-from dataclasses import dataclass, field
-from itertools import accumulate, pairwise
+from dataclasses import asdict, dataclass, field
 
 from facescript.ir.acts import Stretch
 from facescript.speech.espeak.client import Espeak, Sound, Utterance
 from facescript.speech.espeak.manner import Manner
-from facescript.speech.espeak.parts import RATE, Part, phones, trimmed
-from facescript.speech.lines import CLAUSE_ENDS, Piece, Word, is_han, is_letter, words
-from facescript.speech.model import PhoneTime, VoiceFailure, WordTime
+from facescript.speech.espeak.parts import RATE, Part, Take, Trim, phones, trimmed, unheard
+from facescript.speech.lines import CLAUSE_ENDS, Piece, Word, is_han, words
+from facescript.speech.model import VoiceFailure
 from facescript.speech.mouth.ipa import letters, mnemonics
 from facescript.speech.readings import ipa_of
+from facescript.speech.voices.wording import word_times
 
 EMPHASIS = "<emphasis level='strong'> ", " </emphasis>"
 """A space inside: espeak-ng reads a tag that touches `]]` aloud."""
@@ -36,23 +36,25 @@ class Sent:
         self.places += [place] * len(text)
 
 
-def speak(espeak: Espeak, piece: Piece, manner: Manner) -> Part:
-    """The piece spoken. Raises `VoiceFailure`."""
+def speak(espeak: Espeak, piece: Piece, manner: Manner, take: Take = unheard) -> Part:
+    """The piece spoken; `take` gets its sound meanwhile. Raises `VoiceFailure`."""
     ssml = any(mark.kind == "stress" for mark in piece.marks)
     spelt = {mark: ipa_of(mark) for mark in piece.marks if mark.kind == "reading"}
     sounds = {mark: ipa for mark, ipa in spelt.items() if ipa is not None}
     _check_kanji(piece, manner)
     sent = _sent(piece, ssml)
-    text = "".join(sent.text)
-    sound = espeak.speak(Utterance(text, manner.voice, manner.rate, manner.pitch, ssml, bool(sounds)))
+    text, trim = "".join(sent.text), Trim(take)
+    sound = espeak.speak(Utterance(text, **asdict(manner), ssml=ssml, phonemes=bool(sounds)), trim)
     heard = phones(sound)
     for mark, ipa in sounds.items():
         _check_said(sound, sent, piece, mark, ipa)
     sounding = [phone for phone in heard if phone.symbol]
     if not sounding:
         raise VoiceFailure(f"this voice has no sound for `{piece.text.strip()}`", "FS503")
-    part = Part(sound.pcm, _word_times(piece, sent, sound, heard), heard)
-    return trimmed(part, (sounding[0].start, sounding[-1].end))
+    part = Part(sound.pcm, word_times(piece, _begun(words(piece.text), sent, sound), heard), heard)
+    part = trimmed(part, (sounding[0].start, sounding[-1].end))
+    trim.finish(part)
+    return part
 
 
 def _sent(piece: Piece, ssml: bool) -> Sent:
@@ -120,18 +122,6 @@ def _place(sent: Sent, index: int) -> int:
     return sent.places[min(index, len(sent.places) - 1)]
 
 
-def _word_times(piece: Piece, sent: Sent, sound: Sound, heard: tuple[PhoneTime, ...]) -> tuple[WordTime, ...]:
-    """A word begins with the first event in it; words that the voice runs together share its time by their length."""
-    found = words(piece.text)
-    begun = _begun(found, sent, sound)
-    total = heard[-1].end
-    times: list[WordTime] = []
-    for (index, start), (following, limit) in zip(begun, [*begun[1:], (len(found), total)], strict=True):
-        end = max((p.end for p in heard if p.symbol and start <= p.start < limit), default=limit)
-        times += _shared(piece, found[index:following], start, min(end, limit))
-    return tuple(times)
-
-
 def _begun(found: tuple[Word, ...], sent: Sent, sound: Sound) -> list[tuple[int, float]]:
     """The words at which an event stands, by number, with the second at which they begin; always the first."""
     ends = [word.last for word in found]
@@ -142,13 +132,3 @@ def _begun(found: tuple[Word, ...], sent: Sent, sound: Sound) -> list[tuple[int,
             if index < len(found) and (not begun or index > begun[-1][0]):
                 begun.append((index if begun else 0, event.sample / RATE))
     return begun or [(0, 0.0)]
-
-
-def _shared(piece: Piece, group: tuple[Word, ...], start: float, end: float) -> list[WordTime]:
-    texts = [piece.text[word.first : word.last] for word in group]
-    counts = list(accumulate((sum(map(is_letter, text)) for text in texts), initial=0))
-    moments = [start + (end - start) * count / counts[-1] for count in counts[:-1]] + [end]
-    return [
-        WordTime(text, piece.first + word.first, piece.first + word.last, *times)
-        for text, word, times in zip(texts, group, pairwise(moments), strict=True)
-    ]

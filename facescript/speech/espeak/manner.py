@@ -25,13 +25,19 @@ PITCHES = ((0, 0.67), (10, 0.72), (25, 0.8), (40, 0.905), (50, 1.0), (60, 1.095)
 """espeak-ng's pitch and how many times the usual the voice's fundamental is then: medians of four voices, measured."""
 
 
+WIDEST = 2.0
+"""How many times the usual the voice's melody swings at espeak-ng's range of 100; at 0 it is one tone."""
+
+
 @dataclass(frozen=True, slots=True)
 class Manner:
-    """How the synthesiser is to speak: its voice's identifier (with `+variant`), words a minute, pitch 0..100."""
+    """How the synthesiser is to speak: its voice's identifier (with `+variant`), words a minute, pitch and range
+    0..100."""
 
     voice: str
     rate: int
     pitch: int
+    range: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +56,14 @@ class Voices:
         if voice.variant:
             name = VARIANTS.get(voice.variant.lower(), voice.variant)
             identifier += "+" + _found(name, self.variants, "variant")
-        return Manner(identifier, rate(voice.rate), pitch(voice.pitch))
+        return Manner(identifier, rate(voice.rate), pitch(voice.pitch), swing(voice.range))
+
+
+def check_manner(voice: Voice) -> None:
+    """Raises `VoiceFailure` where the synthesiser does not speak at the voice's rate, pitch or range."""
+    rate(voice.rate)
+    pitch(voice.pitch)
+    swing(voice.range)
 
 
 def rate(factor: float) -> int:
@@ -71,6 +84,13 @@ def pitch(factor: float) -> int:
         if factor <= most:
             return round(below + (above - below) * (factor - least) / (most - least))
     return PITCHES[-1][0]
+
+
+def swing(factor: float) -> int:
+    """espeak-ng's range, 0..100, for `factor` times the usual rise and fall of the voice."""
+    if not 0 <= factor <= WIDEST:
+        raise VoiceFailure(f"a range of {factor:.0%} lies outside what it speaks, 0% to {WIDEST:.0%}")
+    return round(100 * factor / WIDEST)
 
 
 def voices(listing: Mapping[str, Any]) -> Voices:

@@ -1,0 +1,1 @@
+"""The program flite as an engine of speech."""

@@ -1,0 +1,1 @@
+"""Files that say when words and phones are, to times and back."""

@@ -1,0 +1,1 @@
+"""Engines of speech behind one interface, and what they have spoken."""
