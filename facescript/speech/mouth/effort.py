@@ -74,8 +74,6 @@ class _Level:
 
 def _level(spoken: Spoken) -> _Level | None:
     """None where there is no vowel, or no sound."""
-    if not spoken.pcm:
-        return None
     sound = heard(spoken).prosody
     vowels = [phone for phone in spoken.phones if _is_vowel(phone)]
     found = [level for level in (_decibels(sound, phone) for phone in vowels) if level is not None]
