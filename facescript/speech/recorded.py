@@ -20,7 +20,7 @@ def recorded(line: Say, world: World, voice: VoiceBox) -> Spoken:
 
 
 def _sound(sound: Recording) -> Spoken:
-    return Spoken(sound.samples.tobytes(), sound.rate, sound.duration, (), ())
+    return Spoken(sound.pcm, sound.rate, sound.duration, (), (), doubts=sound.doubts)
 
 
 def _read(world: World, name: str) -> Recording:

@@ -25,7 +25,9 @@ def timed(line: Say, world: World, voice: VoiceBox, sound: Spoken | None) -> Spo
     placed = fitted(times, line)
     base = sound or Spoken(b"", RATE, times.duration, (), ())
     phones = placed.phones or _spoken(line, times, placed, voice)
-    return _within(replace(base, words=placed.words, phones=phones, doubts=placed.doubts), sound is not None)
+    return _within(
+        replace(base, words=placed.words, phones=phones, doubts=(*base.doubts, *placed.doubts)), sound is not None
+    )
 
 
 def estimated(line: Say, world: World) -> Spoken:
