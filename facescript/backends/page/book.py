@@ -45,8 +45,8 @@ def _pictures(job: Job, found: Sequence[Chapter], folder: str) -> tuple[dict[str
 
 def _head(job: Job, found: Sequence[Chapter]) -> str:
     """The title, who wrote it, and the chapters to go to."""
-    below = (("author", job.score.film.author), ("subtitle", job.page.subtitle))
-    said = "".join(f'<p class="fb-{name}">{escape(text)}</p>\n' for name, text in below if text)
+    author = job.score.film.author
+    said = f'<p class="fb-author">{escape(author)}</p>\n' if author else ""
     entries = "\n".join(
         f'<li><a href="#chapter-{number}" data-start="{chapter.start:.3f}">'
         f'<bdi>{escape(chapter.title)}</bdi><span class="fb-time">{clock(chapter.start)}</span></a></li>'

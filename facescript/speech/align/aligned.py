@@ -76,15 +76,19 @@ class _Aligner:
         if unlikely:
             return self._spread(unlikely)
         way = course(self.bands, self.spoken, self.first)
-        tasks = self._tasks(way, pauses_between(self.spoken) if pauses is None else pauses)
+        tasks = self._tasks(self._cuts(way, pauses))
         return self._joined([self._part(task, way) for task in tasks])
 
-    def _tasks(self, way: Course, pauses: Sequence[Stretch]) -> Iterator[_Task]:
-        """The recording cut at the pauses before sentences."""
+    def _cuts(self, way: Course, pauses: Sequence[Stretch] | None) -> Sequence[Stretch | None]:
+        """For each sentence but the first the pause before it; as many as were chosen are one each."""
+        if pauses is not None and len(pauses) == len(self.first) - 1:
+            return pauses
         places = np.cumsum([len(each.bands) for each in self.first])
-        cuts: Sequence[Stretch | None] = pauses
-        if len(pauses) != len(self.first) - 1:
-            cuts = fitting([way.moment(float(place)) for place in places[:-1]], pauses)
+        starts = [way.moment(float(place)) for place in places[:-1]]
+        return fitting(starts, pauses_between(self.spoken) if pauses is None else pauses)
+
+    def _tasks(self, cuts: Sequence[Stretch | None]) -> Iterator[_Task]:
+        """The recording cut at the pauses before sentences."""
         firsts = [0, *(number for number, cut in enumerate(cuts, 1) if cut), len(self.first)]
         begins = [0.0, *(cut.end for cut in cuts if cut)]
         ends = [*(cut.start for cut in cuts if cut), self.recording.duration]

@@ -1,27 +1,20 @@
-"""Requests to answers by a worker: a program of its own, started once, spoken to by pipe, with bounds on its time.
-
-A frame is a length (4 bytes, big-endian) and that many bytes. A request is a frame of JSON; an answer is one or more
-parts, each a frame of JSON and a frame of bytes; a part whose JSON has `more` is not the last.
-"""
+"""Requests to answers by a worker: a program of its own, started once, spoken to by pipe, with bounds on its time."""
 
 from __future__ import annotations
 
 import atexit
 import json
 import os
-import struct
 import subprocess
 import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from facescript.speech.model import VoiceFailure
-
-LONGEST_FRAME = 1 << 28
-"""Bytes: 100 minutes of sound."""
+from facescript.speech.voices.frames import framed, read_part
 
 Answer = tuple[dict[str, Any], bytes]
 """A part of an answer."""
@@ -90,16 +83,16 @@ class Worker:
         process = self._running()
         assert process.stdin is not None
         assert process.stdout is not None
-        body = json.dumps(request).encode()
+        question = framed(json.dumps(request).encode())
         more = True
         while more:
             with _Clock(process, self._seconds) as clock:
                 try:
-                    if body:
-                        process.stdin.write(struct.pack(">I", len(body)) + body)
+                    if question:
+                        process.stdin.write(question)
                         process.stdin.flush()
-                        body = b""
-                    part = _head(process.stdout), _frame(process.stdout)
+                        question = b""
+                    part = read_part(process.stdout)
                 except (OSError, ValueError, EOFError):
                     raise Broken(clock.late) from None
             if "failure" in part[0]:
@@ -146,24 +139,3 @@ class _Clock:
     def _end(self) -> None:
         self.late = True
         self._process.kill()
-
-
-def _head(stream: IO[bytes]) -> dict[str, Any]:
-    head = json.loads(_frame(stream))
-    if not isinstance(head, dict):
-        raise ValueError("no head of an answer")
-    return head
-
-
-def _frame(stream: IO[bytes]) -> bytes:
-    size = struct.unpack(">I", _exactly(stream, 4))[0]
-    if size > LONGEST_FRAME:
-        raise ValueError("a frame too long")
-    return _exactly(stream, size)
-
-
-def _exactly(stream: IO[bytes], size: int) -> bytes:
-    data = stream.read(size)
-    if len(data) < size:
-        raise EOFError
-    return data
