@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 
-WORDS = 200
+WORDS = 228
 """Words a minute, pauses counted in."""
 
 CHAPTER = 10
@@ -31,8 +31,8 @@ WHAT = (
 ).split(", ")
 WHEN = (
     "before the rain began, in the early morning, while the bells were ringing, without a word, "
-    "as if nothing had happened, until the lamps were lit, for the third time that winter, because the wind had turned, "
-    "although it was already late, and smiled"
+    "as if nothing had happened, until the lamps were lit, for the third time that winter, "
+    "because the wind had turned, although it was already late, and smiled"
 ).split(", ")
 BETWEEN = ("wait 400ms", "wait 700ms", "nod 30%", "look left 10deg for 1s", "show smile 20%")
 

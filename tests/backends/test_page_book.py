@@ -17,7 +17,7 @@ face ada = woman
 scene one "The <lake>":
     wait 200ms
     picture "lake.png" "A \\"lake\\""
-    link "https://example.org/a?b=c&d=\\"" "More </p>"
+    link "https://example.org/a?b=c&d" "More </p>"
     say "Hello."
     picture none
     say "Bye."

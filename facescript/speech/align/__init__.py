@@ -1,0 +1,1 @@
+"""Recordings and their words to when each word and phone is said."""
