@@ -26,9 +26,10 @@ HELD_OUT = ("f2", "m7", "Andy", "klatt4", "anika", "Michael", "edward", "linda")
 """espeak-ng's variants that it is measured on."""
 
 VARIANTS = (
-    " f1 f3 f4 f5 m1 m2 m3 m4 m5 m6 m8 klatt klatt2 klatt3 klatt5 klatt6 Alex Alicia Andrea Annie adam aunty belinda "
-    "benjamin boris caleb david Denis Diogo ed Gene grandma grandpa Henrique Hugo ian iven Jacky john Lee Marco Mario max "
-    "michel miguel Mike Nguyen norbert pablo paul pedro quincy Reed rob robert sandro shelby steph travis victor zac whisper"
+    " f1 f3 f4 f5 m1 m2 m3 m4 m5 m6 m8 klatt klatt2 klatt3 klatt5 klatt6 Alex Alicia Andrea Annie adam "
+    "aunty belinda benjamin boris caleb david Denis Diogo ed Gene grandma grandpa Henrique Hugo ian iven "
+    "Jacky john Lee Marco Mario max michel miguel Mike Nguyen norbert pablo paul pedro quincy Reed rob "
+    "robert sandro shelby steph travis victor zac whisper"
 ).split(" ")
 """Those that it is trained on; the first is the voice as it is."""
 

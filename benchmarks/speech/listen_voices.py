@@ -1,4 +1,4 @@
-"""Sentences to sound with the phones that the voice says it spoke: espeak-ng's variants, and Debian's flite and festival."""
+"""Sentences to sound with the phones that the voice says it spoke: espeak-ng, and Debian's flite and festival."""
 
 from __future__ import annotations
 
@@ -93,10 +93,10 @@ NAMED = {
     "ca": _ROMANCE,
     "fi": "y:y &:æ 7:ø @:ə g:ɡ S:ʃ N:ŋ v:ʋ",
     "cs": "c:ts c~:tʃ ch:x d~:ɟ dz~:dʒ g:ɡ h:ɦ n*:ŋ n~:ɲ r~:r̝ r~*:r̝ s~:ʃ t~:c z~:ʒ",
-    "ru": "ii:i yy:ɨ uu:u ee:e oo:o aa:a y:ɨ ae:æ ay:ə ur:u pp:p bb:b tt:t dd:d kk:k g:ɡ gg:ɡ c:ts ch:tɕ ff:f vv:v ss:s "
-    "zz:z sh:ʂ sch:ɕ zh:ʐ h:x hh:x mm:m nn:n ll:l rr:r",
-    "hi": "aa:a a:ə ih:ɪ iy:i uh:ʊ uw:u eh:e ee:e ay:ɛ oh:o oo:o aw:ɔ g:ɡ ch:tʃ T:ʈ D:ɖ N:ɳ th:t dh:d y:j v:ʋ L:ɭ R:ɽ sh:ʃ "
-    "j:dʒ kh:k gh:ɡ td:t tth:ʈ ddh:ɖ bh:b zh:ʒ ksh:kʂ",
+    "ru": "ii:i yy:ɨ uu:u ee:e oo:o aa:a y:ɨ ae:æ ay:ə ur:u pp:p bb:b tt:t dd:d kk:k g:ɡ gg:ɡ c:ts ch:tɕ ff:f vv:v "
+    "ss:s zz:z sh:ʂ sch:ɕ zh:ʐ h:x hh:x mm:m nn:n ll:l rr:r",
+    "hi": "aa:a a:ə ih:ɪ iy:i uh:ʊ uw:u eh:e ee:e ay:ɛ oh:o oo:o aw:ɔ g:ɡ ch:tʃ T:ʈ D:ɖ N:ɳ th:t dh:d y:j v:ʋ L:ɭ R:ɽ "
+    "sh:ʃ j:dʒ kh:k gh:ɡ td:t tth:ʈ ddh:ɖ bh:b zh:ʒ ksh:kʂ",
 }
 """festival's names of phones that are not their IPA, by language; English has CMU's."""
 

@@ -73,20 +73,21 @@ def recalls(takes: Iterable[Take], hear: Hearing) -> list[float]:
 def _people() -> Iterator[Take]:
     """The recordings with labels: by hand, by a model of the speaker, and by pocketsphinx."""
     for path in sorted(RECORDINGS.glob("*.wav")):
-        yield Take(read_recording(path), tuple(bursting(_labels(path))))
+        recording = read_recording(path)
+        yield Take(recording, tuple(bursting(_labels(path, recording.duration))))
 
 
-def _labels(path: Path) -> list[PhoneTime]:
+def _labels(path: Path, duration: float) -> list[PhoneTime]:
     if path.with_suffix(".TextGrid").exists():
         tier = path.with_suffix(".TextGrid").read_text("utf-8").split('"syllable"')[0].split('"phons"')[1]
         segments = re.findall(r'([\d.]+)\s+([\d.]+)\s+"([^"]*)"', tier)
         return [PhoneTime(SAMPA.get(name, name), float(start), float(end)) for start, end, name in segments]
     if path.with_suffix(".phone.json").exists():
         whole = json.loads(path.with_suffix(".phone.json").read_text("utf-8"))
-        return labelled([(phone["t"], phone["b"] + phone["d"]) for word in whole["w"] for phone in word["w"]])
+        return labelled([(phone["t"], phone["b"] + phone["d"]) for word in whole["w"] for phone in word["w"]], duration)
     lines = path.with_name(path.stem + "_phone.lab").read_text("utf-8").splitlines()
     found = [re.match(r"\d+ (\d+) [^-]*-([^+]*)\+", line) for line in lines]
-    return labelled([(match[2], int(match[1]) * 1e-7) for match in found if match])
+    return labelled([(match[2], int(match[1]) * 1e-7) for match in found if match], duration)
 
 
 def _speed() -> Row:

@@ -7,6 +7,7 @@ A quarter of an hour on one core; the same machine and libraries give the same w
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from facescript.speech.listen import network
 from facescript.speech.listen.bands import ENERGY, FAINTEST
-from facescript.speech.listen.classes import CLASSES, SOUNDS
+from facescript.speech.listen.classes import CLASS, CLASSES, SOUNDS
 from facescript.speech.listen.network import BANDS, FLOOR, LOUD, SPEAKING, Network, around, heights, packed
 
 Singles = NDArray[np.float32]
@@ -36,7 +37,8 @@ MOMENT, NEAR = 6, 3.0
 """Frames and bands over which such chance is alike."""
 
 EVEN, SILENT, PERSON = 0.8, 0.5, 1.5
-"""How far rare classes count for more (1: all classes alike), what silence counts, and what takes of people do."""
+"""How far rare classes count for more while it learns (1: all classes alike), what silence counts, and what takes of
+people do."""
 
 
 def usual(taken: Sequence[Lesson]) -> Singles:
@@ -91,7 +93,7 @@ class Adam:
     """Layers of weights, and what their gradients were."""
 
     def __init__(self, sizes: Sequence[int], rng: Generator) -> None:
-        shapes = list(zip(sizes, sizes[1:], strict=False))
+        shapes = list(pairwise(sizes))
         self.layers = [np.vstack([rng.normal(0.0, a**-0.5, (a, b)), np.zeros((1, b))]) for a, b in shapes]
         self.layers = [layer.astype(np.float32) for layer in self.layers]
         self.means = [np.zeros_like(layer) for layer in self.layers]
@@ -141,7 +143,16 @@ def trained(taken: Sequence[Lesson]) -> Network:
             adam.step(gradients(adam.layers, blurred, truth[part], counts[part]), rate)
         print(f"epoch {epoch + 1} of {EPOCHS}", flush=True)
     assert adam is not None
+    adam.layers[-1][-1] += evened(taken)
     return Network(adam.layers, mean)
+
+
+def evened(taken: Sequence[Lesson]) -> Singles:
+    """What is added to the score of each sound, so that in the end all classes but silence are alike."""
+    classes = np.concatenate([lesson.classes for lesson in taken])
+    added = (EVEN - 1.0) * np.log(np.bincount(classes, minlength=len(CLASSES)) / len(classes))
+    added[0] = 0.0
+    return added[CLASS].astype(np.float32)
 
 
 def main() -> None:

@@ -9,6 +9,9 @@ from dataclasses import dataclass
 LATER = ("preview", "live", "lsp")
 """Commands of the language's design that this version refuses by name."""
 
+SPHINX, VOICE = "pocketsphinx", "voice"
+"""The ways to align."""
+
 LISTS = ("faces", "looks", "expressions", "actions", "muscles", "channels", "voices", "backends", "lives", "words")
 
 
@@ -41,6 +44,8 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--from", dest="start", metavar="TIME", help="begin there, 2s")
     parser.add_argument("--to", dest="end", metavar="TIME", help="end there, 5s")
     parser.add_argument("--at", metavar="TIME", help="one moment only: a still")
+    parser.add_argument("--captions", metavar="HOW", help="words or sentences in .vtt and .srt, burn for films")
+    parser.add_argument("--font", metavar="FILE", help="with --captions burn: a font that has their signs")
     parser.add_argument("--jobs", metavar="N", help="how many processes draw")
     parser.add_argument("--page", metavar="TEMPLATE", help="for .html: plain, announcer, book, or an .html of your own")
     parser.add_argument("--split", action="store_true", help="for .html: sound and motion in a folder beside it")
@@ -98,7 +103,20 @@ def _new(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", metavar="NAME", help="the new script's name")
 
 
+def _align(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("recording", metavar="RECORDING", help="a .wav, .flac, .ogg or .mp3 file")
+    parser.add_argument("text", metavar="TEXT", help="a text file with what is said in it, or - for standard input")
+    parser.add_argument("--language", default="en-us", metavar="CODE", help="as in `facescript list voices`")
+    parser.add_argument("--pause", nargs="+", metavar="TIME", help="the pause after the first sentence, or `first`")
+    by = f"{SPHINX}, the usual way for English where it is installed, or {VOICE}, the usual one else"
+    parser.add_argument("--by", choices=(SPHINX, VOICE), help=by)
+    kinds = ".TextGrid, .json, .vtt, .srt, .csv or .tsv; repeat"
+    parser.add_argument("-o", "--output", action="append", default=[], metavar="OUT", help=kinds)
+    parser.add_argument("--as", dest="kind", metavar="KIND", help="the kind where the output is - (json, csv, ...)")
+
+
 COMMANDS = {
+    "align": Command("align", "find when the words of a text are said in a recording", _align),
     "build": Command("build", "make films, pictures, tables and sound from a script", _build),
     "check": Command("check", "say what is wrong with scripts", _check),
     "explain": Command("explain", "show the solved times: when each act starts, settles and ends", _explain),

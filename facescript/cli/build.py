@@ -9,8 +9,9 @@ from pathlib import Path
 from facescript.backends.job import Job, JobFailure
 from facescript.backends.numbered import is_numbered
 from facescript.backends.output import Outputs, outputs
-from facescript.backends.registry import LATER, Backend, backends
+from facescript.backends.registry import Backend, backends
 from facescript.backends.stills import write_pngs
+from facescript.cli.captions import fit_captions, font_named
 from facescript.cli.losses import losses
 from facescript.cli.outputs import no_kind, put, suffix_of, targets
 from facescript.cli.pages import page_wish
@@ -46,8 +47,6 @@ def run(options: argparse.Namespace) -> int:
 
 def _backend(target: str, kind: str | None) -> Backend:
     suffix, known = suffix_of(target, kind), backends()
-    if suffix in LATER:
-        raise OptionFault("FS910", suffix=suffix, known=", ".join(known))
     if suffix not in known:
         raise no_kind(target, suffix, known)
     return known[suffix]
@@ -65,6 +64,7 @@ def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None
             raise OptionFault("FS905", option="--split", fitting="named .html", suffix=target)
         if is_numbered(target) and backend.suffix != ".png":
             raise OptionFault("FS905", option="%d", fitting=".png", suffix=backend.suffix)
+    fit_captions(options, [backend.suffix for _, backend in wanted])
 
 
 def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress: Progress) -> Job:
@@ -77,8 +77,9 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     start, end = stretch(options, score.duration)
     at = _moment(options, score.duration)
     jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
-    page = page_wish(options, world)
-    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page)
+    page, font = page_wish(options, world), font_named(options.font)
+    captions = options.captions or "sentences"
+    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page, captions, font)
 
 
 def _moment(options: argparse.Namespace, duration: float) -> float | None:
@@ -90,9 +91,9 @@ def _moment(options: argparse.Namespace, duration: float) -> float | None:
 
 
 def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> int:
-    show(losses(job, wanted))
-    target = ""
+    target = wanted[0][0]
     try:
+        show(losses(job, wanted))
         with outputs() as batch:
             for target, backend in wanted:
                 with progress.of(target):

@@ -45,7 +45,8 @@ class TimedAct:
 
 @dataclass(frozen=True, slots=True)
 class TimedLine:
-    """A spoken line at its time. `cut` is where it breaks off (a reaction took the voice), else None."""
+    """A spoken line at its time. `cut` is where it breaks off (a reaction took the voice), else None; `text` is what
+    it says, plain, in which the words of `spoken` stand."""
 
     face: str
     start: float
@@ -54,6 +55,7 @@ class TimedLine:
     span: Span
     label: str | None = None
     cut: float | None = None
+    text: str = ""
 
     @property
     def end(self) -> float:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+from dataclasses import replace
+
 from facescript.ir.acts import Say
 from facescript.speech.espeak.manner import check_manner
 from facescript.speech.lines import Piece, is_han, pieces, words
 from facescript.speech.model import PhoneTime, Spoken, WordTime
 from facescript.speech.readings import check_readings
+from facescript.speech.sound.length import seconds_of
 from facescript.speech.voices.registry import USUAL
-from facescript.world import World
+from facescript.world import World, WorldFailure
 
 EDGE = 0.05
 """Seconds of quiet around a piece."""
@@ -46,7 +50,22 @@ class EstimatedVoice:
 
             return estimated(line, self._world)
         if line.recording is not None:
-            return Spoken(b"", 22_050, 0.0, (), (), estimated=True)
+            return self._recorded(line, line.recording)
+        return self._spoken(line)
+
+    def _recorded(self, line: Say, name: str) -> Spoken:
+        """As long as the recording's headers tell, with the words spread over it; as said, where they do not."""
+        length = None
+        if self._world is not None:
+            with suppress(WorldFailure):
+                length = seconds_of(self._world.path(name))
+        if not line.text:
+            return Spoken(b"", 22_050, length or 0.0, (), (), estimated=True)
+        plain = replace(line, voice=replace(line.voice, rate=1.0, pitch=1.0, engine=USUAL, variant=""))
+        spoken = self._spoken(plain)
+        return spoken if length is None else _stretched(spoken, length)
+
+    def _spoken(self, line: Say) -> Spoken:
         if line.voice.engine == USUAL:
             check_manner(line.voice)
         pace = 1 / line.voice.rate
@@ -61,6 +80,13 @@ class EstimatedVoice:
                 times += found
                 at = found[-1].end + EDGE * pace
         return Spoken(b"", 22_050, at, tuple(times), (PhoneTime("", 0.0, at),), estimated=True)
+
+
+def _stretched(spoken: Spoken, length: float) -> Spoken:
+    """A line spoken in `length` seconds."""
+    pace = length / spoken.duration if spoken.duration else 0.0
+    words = (replace(word, start=word.start * pace, end=word.end * pace) for word in spoken.words)
+    return replace(spoken, duration=length, words=tuple(words), phones=(PhoneTime("", 0.0, length),))
 
 
 def _timed(piece: Piece, at: float, pace: float, language: str) -> list[WordTime]:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from facescript.ir.acts import Say
+from facescript.speech.align.aligned import aligned
+from facescript.speech.espeak.voicebox import process_voice
 from facescript.speech.listen.alone import alone
 from facescript.speech.model import Spoken, VoiceBox, VoiceFailure
 from facescript.speech.sound.recording import UNUSABLE, Recording, read_recording
@@ -16,7 +20,13 @@ def recorded(line: Say, world: World, voice: VoiceBox) -> Spoken:
         return timed(line, world, voice, _sound(_read(world, line.recording)) if line.recording else None)
     assert line.recording is not None
     sound = _read(world, line.recording)
-    return _sound(sound) if line.text else alone(sound, line.voice.language)
+    return _with_words(sound, line) if line.text else alone(sound, line.voice.language)
+
+
+def _with_words(sound: Recording, line: Say) -> Spoken:
+    """The recording with its words where they are said; the synthesiser helps to find them, whatever the voice is."""
+    found = aligned(sound, line, process_voice())
+    return replace(_sound(sound), words=found.words, phones=found.phones, doubts=found.doubts)
 
 
 def _sound(sound: Recording) -> Spoken:

@@ -28,7 +28,7 @@ SPOKEN = Spoken(
     0.1,
     (WordTime("Hi", 0, 2, 0.01, 0.1 / 3),),
     (PhoneTime("", 0.0, 0.01), PhoneTime("h", 0.01, 0.02, True)),
-    doubts=(Doubt("FS599", "it is a test"),),
+    doubts=(Doubt("FS509", "it is a test"),),
 )
 
 

@@ -75,7 +75,7 @@ class Edges:
         at = quiet
         while at and level[at - 1] < half:
             at -= 1
-        share = (half - level[at]) / (level[at - 1] - level[at]) if at else 0.0
+        share = float(half - level[at]) / float(level[at - 1] - level[at]) if at else 0.0
         return self._start + (first + at - share) * HOP
 
     def _change(self, before: float, edge: float, after: float) -> float:

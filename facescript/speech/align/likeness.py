@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from facescript.speech.align.activity import Stretch
 from facescript.speech.align.features import Floats
@@ -16,8 +17,9 @@ from facescript.speech.model import Doubt, WordTime
 EVEN, STEP = 0.96, 0.04
 """The likeness at which a word is as likely said as not, and by how much less it is likely by e to 1."""
 
-AROUND = 0.15
-"""Seconds around a word that are weighed with it: one word is too short to tell."""
+AROUND = 0.3
+"""Seconds around a word that are weighed with it: one word is too short to tell. All of the recording is weighed as
+well, for as much."""
 
 LEAST = 0.02
 """Seconds of a word that is heard."""
@@ -43,22 +45,22 @@ class Likeness:
 
 def confidences(words: Sequence[WordTime], found: Sequence[Likeness]) -> tuple[float, ...]:
     """How sure each word is, 0 to 1."""
-    last = max(each.first + len(each.frames) for each in found)
-    whole = np.ones(last, np.float32)
+    mean = float(np.concatenate([each.frames for each in found]).mean())
+    frames = np.full(max(each.first + len(each.frames) for each in found), mean)
     for each in found:
-        whole[each.first : each.first + len(each.frames)] = each.frames
-    sums = np.concatenate([[0.0], np.cumsum(whole, dtype=np.float64)])
-    return tuple(_sure(word, sums) for word in words)
+        frames[each.first : each.first + len(each.frames)] = each.frames
+    sums = np.concatenate([[0.0], np.cumsum(frames)])
+    return tuple(_sure(word, sums, mean) for word in words)
 
 
-def _sure(word: WordTime, sums: np.ndarray[tuple[int], np.dtype[np.float64]]) -> float:
+def _sure(word: WordTime, sums: NDArray[np.float64], whole: float) -> float:
     if word.end - word.start < LEAST:
         return 0.0
     first = max(round((word.start - AROUND) / HOP), 0)
     last = min(round((word.end + AROUND) / HOP), len(sums) - 1)
     if last <= first:
         return 0.0
-    mean = float(sums[last] - sums[first]) / (last - first)
+    mean = (float(sums[last] - sums[first]) / (last - first) + whole) / 2
     return 1 / (1 + math.exp((mean - EVEN) / STEP))
 
 

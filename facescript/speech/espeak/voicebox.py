@@ -62,8 +62,3 @@ def process_voice() -> EspeakVoice:
 def open_voice() -> KeptVoice:
     """The usual voice: espeak-ng, and what it has spoken before."""
     return KeptVoice(EspeakEngine())
-
-
-def list_voices() -> tuple[tuple[str, str], ...]:
-    """What `voice CODE VARIANT` takes, each with what it is."""
-    return process_voice().listed()

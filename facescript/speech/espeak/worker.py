@@ -47,8 +47,8 @@ SEED = 1
 SECONDS = 30.0
 """An utterance that takes longer is broken off: later than who asked has given up and ended this program."""
 
-STRETCH = 22_050
-"""Bytes of sound, half a second, that are sent at once; the first are sent as soon as there are any."""
+STRETCH = 88_200
+"""Bytes of sound, two seconds, that are sent at once: at first whatever there is, then as much as was sent before."""
 
 Answer = tuple[dict[str, Any], bytes]
 Reply = Callable[[bytes], Any]
@@ -102,7 +102,7 @@ class Espeak:
             raise OSError("espeak-ng cannot read its data")
         self.library.espeak_ng_SetRandSeed(ctypes.c_long(SEED))
         self.reply: Reply = bytes
-        self.begun = False
+        self.sent = 0
         self.sound = bytearray()
         self.events: list[tuple[str, int, int, str]] = []
         self.callback = CALLBACK(self.heard)
@@ -122,14 +122,14 @@ class Espeak:
             elif event.type == PHONE:
                 self.events.append(("phone", event.sample, place, event.id.decode("utf-8", "ignore")))
             index += 1
-        if self.sound and (not self.begun or len(self.sound) >= STRETCH):
+        if self.sound and len(self.sound) >= min(self.sent, STRETCH):
             self.send(more=True)
         return 0
 
     def send(self, more: bool) -> None:
         """Send the sound and the events since the last time."""
         self.reply(packed(({"rate": self.rate, "events": self.events, "more": more}, bytes(self.sound))))
-        self.begun = True
+        self.sent += len(self.sound)
         self.sound.clear()
         self.events.clear()
 

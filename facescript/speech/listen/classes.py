@@ -24,6 +24,9 @@ SOUNDS = (SILENCE, "m", "f", "h'", "h", "r", "z", "th", "a", "a-", "e", "i", "o"
 """What is told apart: the mouth's shapes. `a-` is an a of a degree below 1 (æ, ɐ, ʌ), h is also a sound that is hardly
 rounded (β), h' also `n`, a Mandarin final."""
 
+SYMBOLS = ("", "m", "f", "n", "ə", "ʃ", "s", "θ", "a", "ɐ", "ɛ", "i", "o", "u")
+"""The phone that stands for each. Lips shut for a p or b are an m: they are as shut."""
+
 CLASSES = ("silence", "closed", "narrow", "open", "round")
 
 ROUND, OPEN = 0.65, 0.7
@@ -79,11 +82,5 @@ def spans(phones: Sequence[PhoneTime]) -> Iterator[tuple[float, float, Viseme]]:
             yield phone.start + index * share, phone.start + (index + 1) * share, viseme
 
 
-def _class_of_sound(sound: str) -> int:
-    """The class that a sound has in the mouth."""
-    viseme = Viseme("a", "vowel", 0.75) if sound == "a-" else Viseme(sound, "sound")
-    return CLASSES.index(class_of(viseme))
-
-
-CLASS = np.array([_class_of_sound(sound) for sound in SOUNDS])
-"""The class of each sound, by its place: array[sound]."""
+CLASS = np.array([CLASSES.index(class_of(visemes(symbol)[0])) if symbol else 0 for symbol in SYMBOLS])
+"""The class of each sound: array[sound]."""

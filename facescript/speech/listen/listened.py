@@ -1,4 +1,4 @@
-"""A recording alone to phones: what is heard in each frame, smoothed to sounds that last, as IPA that the mouth knows."""
+"""A recording alone to phones: what is heard in each frame, smoothed to sounds that last, in IPA."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.speech.listen.bands import ENERGY, FRAMES_A_SECOND, features
-from facescript.speech.listen.classes import CLASS, CLASSES, SOUNDS
+from facescript.speech.listen.classes import CLASS, CLASSES, SOUNDS, SYMBOLS
 from facescript.speech.listen.network import BANDS, network
 from facescript.speech.listen.path import best_path
 from facescript.speech.model import PhoneTime
@@ -16,9 +16,6 @@ from facescript.speech.sound.recording import Recording
 
 Singles = NDArray[np.float32]
 Numbers = NDArray[np.intp]
-
-SYMBOLS = dict(zip(SOUNDS, ("", "m", "f", "n", "ə", "ʃ", "s", "θ", "a", "ɐ", "ɛ", "i", "o", "u"), strict=True))
-"""The phone that stands for each sound. Lips shut for a p or b are an m: they are as shut."""
 
 SHORTEST = dict(zip(CLASSES, (6, 3, 2, 2, 2), strict=True))
 """Frames that the mouth stays in a class: a silence of a tenth of a second is one, a shorter one is a stop."""
@@ -29,7 +26,7 @@ CHANGE = 1.0
 """What a change costs, in natural logarithms."""
 
 QUIETEST = -5.0
-"""The energy of a frame below which there is silence in any recording: about 70 dB below full scale."""
+"""The energy of a frame (about 70 dB below full scale) that a recording with speech in it has somewhere."""
 
 FAINTEST = np.float32(1e-6)
 
@@ -46,10 +43,9 @@ def listened(recording: Recording) -> tuple[PhoneTime, ...]:
     `stress` is among the recording's louder ones. A pure function.
     """
     found = features(recording.samples, recording.rate, BANDS)
+    if found[:, ENERGY].max(initial=QUIETEST) <= QUIETEST:
+        return (PhoneTime("", 0.0, recording.duration),) if len(found) else ()
     scores = network().scores(found)
-    quiet = found[:, ENERGY] < QUIETEST
-    scores[quiet, 0] = 0.0
-    scores[quiet, 1:] = np.log(FAINTEST)
     return tuple(_phones(_sounds(scores), found[:, ENERGY], recording.duration))
 
 
@@ -67,7 +63,7 @@ def _phones(sounds: Numbers, energy: Singles, duration: float) -> Iterator[Phone
     """Runs of the same sound as phones; a vowel's stress is told by the loudest frame in it."""
     edges = np.flatnonzero(np.diff(sounds)) + 1
     runs = list(zip([0, *edges], [*edges, len(sounds)], strict=True)) if len(sounds) else []
-    symbols = [SYMBOLS[SOUNDS[sounds[first]]] for first, _ in runs]
+    symbols = [SYMBOLS[sounds[first]] for first, _ in runs]
     peaks = [float(energy[first:last].max()) for first, last in runs]
     loud = np.quantile([peak for peak, symbol in zip(peaks, symbols, strict=True) if symbol in VOWELS] or [0.0], LOUD)
     for (first, last), symbol, peak in zip(runs, symbols, peaks, strict=True):

@@ -14,7 +14,7 @@ from importlib.resources import files
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.speech.listen.bands import BETWEEN, CENTRES, ENERGY, F0, FAINTEST
+from facescript.speech.listen.bands import BETWEEN, CENTRES, ENERGY, F0, FAINTEST, product
 
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
@@ -32,7 +32,7 @@ SPEAKING, FLOOR = 3.0, 4.5
 """How far below that, in powers of ten, a frame still counts as speech, and where everything is as silent as can be."""
 
 USUAL = 90.0
-"""Frames of the usual speaker that are thought before every recording, so that a short one does not stand for itself."""
+"""Frames of the usual speaker that are put before every recording, for a short one is not like itself."""
 
 HERTZ = 150.0
 """F0 that is 0 in the octaves that are told."""
@@ -88,8 +88,8 @@ class Network:
 
     def _through(self, values: Singles) -> Singles:
         for layer in self.layers[:-1]:
-            values = np.tanh(values @ layer[:-1] + layer[-1])
-        scores = values @ self.layers[-1][:-1] + self.layers[-1][-1]
+            values = np.tanh(product(values, layer[:-1]) + layer[-1])
+        scores = product(values, self.layers[-1][:-1]) + self.layers[-1][-1]
         scores -= scores.max(axis=1, keepdims=True)
         likely: Singles = scores - np.log(np.exp(scores).sum(axis=1, keepdims=True))
         return likely

@@ -1,27 +1,22 @@
-"""Requests to answers by a worker: a program of its own, started once, spoken to by pipe, with bounds on its time.
-
-A frame is a length (4 bytes, big-endian) and that many bytes. A request is a frame of JSON; an answer is one or more
-parts, each a frame of JSON and a frame of bytes; a part whose JSON has `more` is not the last.
-"""
+"""Requests to answers by a worker: a program of its own, started once, spoken to by pipe, with bounds on its time."""
 
 from __future__ import annotations
 
 import atexit
 import json
+import math
 import os
-import struct
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from facescript.speech.model import VoiceFailure
-
-LONGEST_FRAME = 1 << 28
-"""Bytes: 100 minutes of sound."""
+from facescript.speech.voices.frames import framed, read_part
 
 Answer = tuple[dict[str, Any], bytes]
 """A part of an answer."""
@@ -51,23 +46,31 @@ class Worker:
         on before is passed over.
         """
         with self._lock():
-            given = 0
-            for again in (True, False):
-                try:
-                    for number, part in enumerate(self._parts(request)):
-                        if number >= given:
-                            given += 1
-                            take(part)
-                    return
-                except Broken as fault:
-                    self.close()
-                    if fault.late:
-                        raise VoiceFailure(f"it did not answer within {self._seconds:g} s") from None
-                    if not again:
-                        raise VoiceFailure("it broke off") from None
-                except BaseException:  # part of the answer is still in the pipe
-                    self.close()
-                    raise
+            last = self._last(request, take)
+        if "failure" in last:
+            raise VoiceFailure(last["failure"], last.get("code", "FS501"))
+
+    def _last(self, request: dict[str, Any], take: Callable[[Answer], None]) -> dict[str, Any]:
+        """The head of the last part, when all have been handed on; it may be a failure."""
+        given = 0
+        again = True
+        while True:
+            try:
+                for number, part in enumerate(self._parts(request)):
+                    if number >= given and "failure" not in part[0]:
+                        given += 1
+                        take(part)
+                return part[0]
+            except Broken as fault:
+                self.close()
+                if fault.late:
+                    raise VoiceFailure(f"it did not answer within {self._seconds:g} s") from None
+                if not again:
+                    raise VoiceFailure("it broke off") from None
+                again = False
+            except BaseException:  # part of the answer is still in the pipe
+                self.close()
+                raise
 
     def close(self) -> None:
         """End the worker; the next question starts another."""
@@ -86,26 +89,24 @@ class Worker:
         return self._locks.setdefault(os.getpid(), threading.Lock())
 
     def _parts(self, request: dict[str, Any]) -> Iterator[Answer]:
-        """The parts of the answer. Raises `Broken`, `VoiceFailure`."""
+        """The parts of the answer, of which there is at least one. Raises `Broken`, `VoiceFailure`."""
         process = self._running()
         assert process.stdin is not None
         assert process.stdout is not None
-        body = json.dumps(request).encode()
+        question = framed(json.dumps(request).encode())
         more = True
-        while more:
-            with _Clock(process, self._seconds) as clock:
+        with _Clock(process, self._seconds) as clock:
+            while more:
                 try:
-                    if body:
-                        process.stdin.write(struct.pack(">I", len(body)) + body)
+                    with clock.running():
+                        process.stdin.write(question)
                         process.stdin.flush()
-                        body = b""
-                    part = _head(process.stdout), _frame(process.stdout)
+                        question = b""
+                        part = read_part(process.stdout)
                 except (OSError, ValueError, EOFError):
                     raise Broken(clock.late) from None
-            if "failure" in part[0]:
-                raise VoiceFailure(part[0]["failure"], part[0].get("code", "FS501"))
-            more = bool(part[0].get("more"))
-            yield part
+                more = bool(part[0].get("more"))
+                yield part
 
     def _running(self) -> subprocess.Popen[bytes]:
         """The worker of this process: a fork's child must not share its parent's pipe."""
@@ -128,42 +129,33 @@ class Worker:
 
 
 class _Clock:
-    """Ends a process that takes too long inside the block; `late` tells of it."""
+    """Ends a process that takes too long at once; `late` tells of it. It stands still while nobody waits."""
 
     def __init__(self, process: subprocess.Popen[bytes], seconds: float) -> None:
         self.late = False
-        self._process = process
-        self._timer = threading.Timer(seconds, self._end)
-        self._timer.daemon = True  # an interrupt before it is cancelled must not keep the program waiting
+        self._process, self._seconds = process, seconds
+        self._end = math.inf
+        self._over = threading.Event()
 
     def __enter__(self) -> _Clock:
-        self._timer.start()
+        # an interrupt before it is stopped must not keep the program waiting
+        threading.Thread(target=self._watch, daemon=True).start()
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._timer.cancel()
+        self._over.set()
 
-    def _end(self) -> None:
-        self.late = True
-        self._process.kill()
+    @contextmanager
+    def running(self) -> Iterator[None]:
+        self._end = time.monotonic() + self._seconds
+        yield
+        self._end = math.inf
 
-
-def _head(stream: IO[bytes]) -> dict[str, Any]:
-    head = json.loads(_frame(stream))
-    if not isinstance(head, dict):
-        raise ValueError("no head of an answer")
-    return head
-
-
-def _frame(stream: IO[bytes]) -> bytes:
-    size = struct.unpack(">I", _exactly(stream, 4))[0]
-    if size > LONGEST_FRAME:
-        raise ValueError("a frame too long")
-    return _exactly(stream, size)
-
-
-def _exactly(stream: IO[bytes], size: int) -> bytes:
-    data = stream.read(size)
-    if len(data) < size:
-        raise EOFError
-    return data
+    def _watch(self) -> None:
+        rest = self._seconds
+        while not self._over.wait(min(rest, self._seconds)):
+            rest = self._end - time.monotonic()
+            if rest <= 0:
+                self.late = True
+                self._process.kill()
+                return
