@@ -73,7 +73,7 @@ def _entry(entry: Entry) -> str:
         rows.append(_block("", f"facescript {' '.join(entry.command)}"))
     elif entry.stage != "unforced":
         rows += [_block("face-bad", entry.bad), _block("face", entry.good)]
-        rows += [f"`{name}`:\n\n{_block('', text)}" for name, text in entry.files.items()]
+        rows += [f"`{name}`:\n\n{_block('', text)}" for name, text in entry.files.items() if "\0" not in text]
     return "\n".join(rows)
 
 

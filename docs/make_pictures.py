@@ -15,7 +15,7 @@ from facescript.backends.stills import write_png
 from facescript.cli.main import main as run
 from facescript.compile import compile_source
 from facescript.resolve.kinds.library import kind_names
-from facescript.speech.espeak.voicebox import open_voice
+from facescript.speech.studio import open_studio
 from facescript.text import Source
 from facescript.world import World
 
@@ -105,10 +105,14 @@ GALLERY = {
     "vergence": 2.4,
     "degrees": 3.0,
     "mandarin": 1.0,
+    "alone": 1.6,
     "idle": 5.2,
     "track": 7.5,
     "cueing": 0.6,
+    "timed": 2.8,
+    "marks": 1.8,
     "monster": 0.9,
+    "book": 12.3,
 }
 """Examples in the order of the gallery, and the moment of each that it shows, s."""
 
@@ -119,7 +123,7 @@ HIGH = 264
 def frame(script: str, time: float, folder: Path | None = None) -> NDArray[np.uint8]:
     """One moment of a script that stands in a folder."""
     world = World(folder or Path(tempfile.gettempdir()))
-    compiled = compile_source(Source("picture.face", script), world, open_voice())
+    compiled = compile_source(Source("picture.face", script), world, open_studio(world))
     assert compiled.play is not None, [item.message for item in compiled.diagnostics]
     assert compiled.score is not None, [item.message for item in compiled.diagnostics]
     job = Job(compiled.play, compiled.score, world.read, 0.0, compiled.score.duration, time)

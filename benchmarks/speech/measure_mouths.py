@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 from row import Row
 
 from facescript.compile import compile_source
@@ -28,6 +29,8 @@ from facescript.speech.espeak.voicebox import EspeakVoice, open_voice
 from facescript.speech.model import PhoneTime
 from facescript.text import Source, Span
 from facescript.world import World
+
+Floats = NDArray[np.float64]
 
 LINES = {
     "en-us": "The baby bumped my big map of five vivid, verbose, improved vampires.",
@@ -56,6 +59,9 @@ SHOWN = ("smile 100%", "mouth.jaw 80% + mouth.open 60%", "AU10 80% + AU25 60%", 
 STOPS, NASALS, TEETHED = "pbɓʘ", "m", "fvɱʋ"
 SHUT, PARTED = 0.03, 0.02
 """The widest gap (of MNS0) of closed lips (bar L3), and seconds before its burst from which a stop is looked at."""
+
+MOMENTS = 5
+"""Moments at which each sound is looked at."""
 
 TOUCHING, SHOWING = 0.4, 1.0
 """px of 720: the widest gap between lips that touch, and the least of the teeth that is seen above the lip."""
@@ -93,7 +99,8 @@ def rows() -> Iterator[Row]:
 
 
 def _score(language: str, text: str, rate: int, face: str, shown: str) -> Score:
-    script = f'face ada = {face}, voice {language}, life still\nada: show {shown} over 0ms\nada: say "{text}", rate {rate}%\n'
+    script = f"face ada = {face}, voice {language}, life still\nada: show {shown} over 0ms\n"
+    script += f'ada: say "{text}", rate {rate}%\n'
     compiled = compile_source(Source("mouths.face", script), World(Path()), open_voice())
     assert compiled.score is not None, [item.message for item in compiled.diagnostics]
     return compiled.score
@@ -101,41 +108,39 @@ def _score(language: str, text: str, rate: int, face: str, shown: str) -> Score:
 
 def _look_at(score: Score, place: str, closed: Found, teethed: Found, drawn: Found) -> None:
     """Every labial of the score's one line, in the performance and as drawn."""
-    performance, rigged = perform(score), rig(score.faces[0])
-    line = score.lines[0]
-    for phone in line.spoken.phones:
-        span = _shut(phone)
-        if span is None:
-            span = _bitten(phone)
-            if span is None:
-                continue
-            frames = performance.sample_face("ada", line.start + np.linspace(*span, 3))
-            teethed.add(_on_teeth(frames), f"{place} {phone.symbol} at {phone.start:.3f}")
-            drawn.add(_teeth_drawn(rigged, frames), f"{place} {phone.symbol} at {phone.start:.3f}")
-            continue
-        frames = performance.sample_face("ada", line.start + np.linspace(*span, 9))
-        closed.add(bool(frames[:, INDEX["mouth.open"]].max() <= SHUT), f"{place} {phone.symbol} at {phone.start:.3f}")
-        drawn.add(_gap(rigged, frames) <= TOUCHING, f"{place} {phone.symbol} at {phone.start:.3f}")
+    performance, rigged, line = perform(score), rig(score.faces[0]), score.lines[0]
+    looks = [(phone, *span) for phone in line.spoken.phones for span in (_shut(phone), _bitten(phone)) if span]
+    times = line.start + np.concatenate([np.linspace(first, last, MOMENTS) for _, _, first, last in looks])
+    frames = performance.sample_face("ada", times)
+    upper, lower, teeth = _edges(rigged, frames)
+    for index, (phone, bitten, *_) in enumerate(looks):
+        part = slice(MOMENTS * index, MOMENTS * (index + 1))
+        where, gap = f"{place} {phone.symbol} at {phone.start:.3f}", lower[part] - upper[part]
+        if bitten:
+            teethed.add(_on_teeth(frames[part]), where)
+            drawn.add(bool((gap >= SHOWING).all() and (teeth[part] >= lower[part] - TOUCHING).all()), where)
+        else:
+            closed.add(bool(frames[part, INDEX["mouth.open"]].max() <= SHUT), where)
+            drawn.add(bool(gap.max() <= TOUCHING), where)
 
 
-def _shut(phone: PhoneTime) -> tuple[float, float] | None:
+def _shut(phone: PhoneTime) -> tuple[bool, float, float] | None:
     """When lips are to be shut for a phone: before a burst, all through an m; None where they need not."""
-    symbol = phone.symbol
+    symbol, start, end = phone.symbol, phone.start, phone.end
     if symbol == "zh:m":
-        return phone.end - PARTED, phone.end - 0.001
+        return False, end - PARTED, end - 0.001
     if symbol[:1] in tuple(STOPS):
-        return phone.start - PARTED, phone.start - 0.001
+        return False, start - PARTED, start - 0.001
     if symbol[:1] in tuple(NASALS):
-        middle = (phone.start + phone.end) / 2
-        return min(phone.start + 0.016, middle), max(phone.end - 0.001, middle)
+        return False, min(start + 0.016, (start + end) / 2), max(end - 0.001, (start + end) / 2)
     return None
 
 
-def _bitten(phone: PhoneTime) -> tuple[float, float] | None:
+def _bitten(phone: PhoneTime) -> tuple[bool, float, float] | None:
     """When the lip is to be on the teeth for a phone: about its middle."""
     if phone.symbol == "zh:f" or phone.symbol[:1] in tuple(TEETHED):
         middle, length = (phone.start + phone.end) / 2, phone.end - phone.start
-        return middle - 0.1 * length, middle + 0.1 * length
+        return True, middle - 0.1 * length, middle + 0.1 * length
     return None
 
 
@@ -144,33 +149,18 @@ def _on_teeth(frames: Frames) -> bool:
     return bool((opened <= SHUT).all() and (lower <= -0.1).all() and (teeth >= 0.5).all())
 
 
-def _gap(rigged: CartoonRig, frames: Frames) -> float:
-    """The widest gap between the inner edges of the lips in their middle, px."""
-    upper, lower = _edges(rigged, frames)
-    return float((lower - upper).max())
-
-
-def _edges(rigged: CartoonRig, frames: Frames) -> tuple[np.ndarray, np.ndarray]:
-    """y of the middle of the upper and of the lower lip's inner edge, px, the head being straight."""
+def _edges(rigged: CartoonRig, frames: Frames) -> tuple[Floats, Floats, Floats]:
+    """y (px) of the middle of the upper lip's inner edge, of the lower one's, and of the upper teeth's edge."""
     points = rigged.draw(frames).points
     muzzle = bool(rigged.style.mouth.muzzle)
     places = (("mouth-cavity", 2), ("mouth-cavity", 6)) if muzzle else (("mouth-lip-upper", 8), ("mouth-lip-lower", 7))
-    upper, lower = (points[:, _first(rigged, shape) + 3 * place, 1] for shape, place in places)
-    return upper, lower
+    upper, lower = (points[:, _loop(rigged, shape)][:, 3 * place, 1] for shape, place in places)
+    return upper, lower, points[:, _loop(rigged, "mouth-teeth-upper"), 1].max(axis=1)
 
 
-def _first(rigged: CartoonRig, shape: str) -> int:
-    return next(one for one in rigged.shapes if one.id == shape).contours[0].first
-
-
-def _teeth_drawn(rigged: CartoonRig, frames: Frames) -> bool:
-    """Whether teeth are seen between the lips, down to the lower one."""
-    upper, lower = _edges(rigged, frames)
-    teeth = next(one for one in rigged.shapes if one.id == "mouth-teeth-upper").contours[0]
-    points = rigged.draw(frames).points[:, teeth.first : teeth.first + teeth.count]
-    middle = np.abs(points[:, :, 0] - points[:, :, 0].mean(axis=1, keepdims=True)).argmin(axis=1)
-    edge = points[np.arange(len(points)), middle, 1]
-    return bool((lower - upper >= SHOWING).all() and (edge >= lower - TOUCHING).all())
+def _loop(rigged: CartoonRig, shape: str) -> slice:
+    contour = next(one for one in rigged.shapes if one.id == shape).contours[0]
+    return slice(contour.first, contour.first + contour.count)
 
 
 def _times() -> Iterator[Row]:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from facescript.backends.job import JobFailure
 from facescript.canvas.alpha import ClearPlanes
 from facescript.canvas.box import Box
+from facescript.canvas.overlay import Overlay
 from facescript.canvas.painter import Painter
 from facescript.canvas.planes import Planes
 from facescript.canvas.thorvg import CanvasFailure
@@ -57,21 +58,28 @@ def even(size: int) -> int:
     return size + size % 2
 
 
-def drawn(stage: Stage, painter: Painter, cloth: Backcloth, times: Floats) -> Iterator[tuple[Box, ...]]:
+def drawn(
+    stage: Stage, painter: Painter, cloth: Backcloth, times: Floats, overlay: Overlay | None = None
+) -> Iterator[tuple[Box, ...]]:
     """Draw the moments one by one into the painter's pixels; the boxes of each are where they changed."""
     for first in range(0, len(times), CHUNK):
         frames = stage.frames(times[first : first + CHUNK])
-        for points, opacity, turns, ground in zip(
-            frames.points, frames.opacity, frames.turns, frames.grounds, strict=True
-        ):
-            yield painter.draw(points, opacity, cloth.paint(ground), turns)
+        for number, ground in enumerate(frames.grounds):
+            boxes = painter.draw(
+                frames.points[number], frames.opacity[number], cloth.paint(ground), frames.turns[number]
+            )
+            if overlay is None:
+                yield boxes
+                continue
+            with overlay.over(painter.pixels, float(times[first + number]), boxes) as seen:
+                yield seen
 
 
 def pictures(stage: Stage, times: Floats) -> Iterator[Bytes]:
     """Each moment as array[y, x, (B, G, R, A)], premultiplied, which the next moment overwrites."""
     painter = Painter(stage.width, stage.height, stage.shapes)
     cloth = Backcloth(stage.width, stage.height, stage.pictures)
-    for _ in drawn(stage, painter, cloth, times):
+    for _ in drawn(stage, painter, cloth, times, stage.over and Overlay(stage.over, whole=True)):
         yield painter.pixels.astype("<u4", copy=False).view(np.uint8).reshape(stage.height, stage.width, 4)
 
 
@@ -85,7 +93,7 @@ def planes(stage: Stage, times: Floats, clear: bool = False) -> Iterator[Bytes]:
     painter = Painter(width, height, [replace(shape, fill=video_paint(shape.fill)) for shape in stage.shapes])
     cloth = Backcloth(width, height, stage.pictures, WHITE, video_pixels)
     yuv = Planes(width, height)
-    for boxes in drawn(stage, painter, cloth, times):
+    for boxes in drawn(stage, painter, cloth, times, stage.over and Overlay(stage.over, False, video_pixels)):
         for box in boxes:
             yuv.take(painter.pixels, box)
         yield yuv.data
@@ -95,7 +103,7 @@ def _clear_planes(stage: Stage, times: Floats, width: int, height: int) -> Itera
     painter = Painter(width, height, stage.shapes)
     cloth = Backcloth(width, height, stage.pictures)
     yuva = ClearPlanes(width, height)
-    for boxes in drawn(stage, painter, cloth, times):
+    for boxes in drawn(stage, painter, cloth, times, stage.over and Overlay(stage.over, whole=True)):
         if boxes:
             yuva.take(painter.pixels)
         yield yuva.data

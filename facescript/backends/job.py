@@ -21,6 +21,7 @@ from facescript.schedule.score import Score
 from facescript.speech.sound.mix import Soundtrack, soundtrack
 
 if TYPE_CHECKING:
+    from facescript.canvas.overlay import Stickers
     from facescript.stage.stage import Stage
 
 Progress = Callable[[int, int], None]
@@ -43,7 +44,8 @@ class Job:
     """A film to be put out, seconds `start` to `end` of it, or the one moment `at`.
 
     `pictures` reads a background picture's bytes by its path in the project; `jobs` is how many processes draw, 0 for
-    as many as suit the machine; `page` is what an `.html` is to be.
+    as many as suit the machine; `page` is what an `.html` is to be. `captions` is how they are made: by "words", by
+    "sentences", or "burn" for sentences in the frames, then in a `font` (the bytes of its file, None to find one).
     """
 
     play: Play
@@ -55,6 +57,8 @@ class Job:
     jobs: int = 0
     progress: Progress = quiet
     page: PageWish = field(default_factory=PageWish)
+    captions: str = "sentences"
+    font: bytes | None = None
 
     @cached_property
     def performance(self) -> Performance:
@@ -64,7 +68,12 @@ class Job:
     def stage(self) -> Stage:
         from facescript.stage.stage import Stage
 
-        return Stage(self.score, self.performance, self.pictures)
+        return Stage(self.score, self.performance, self.pictures, self._titles() if self.captions == "burn" else None)
+
+    def _titles(self) -> Stickers:
+        from facescript.backends.captions.titles import Titles
+
+        return Titles(self.score, self.start, self.end if self.at is None else self.score.duration, self.font).at
 
     @cached_property
     def sound(self) -> Soundtrack:

@@ -44,12 +44,11 @@ BACKENDS = (
     Backend(".csv", "facescript.backends.tables:write_csv", "table: time and every channel"),
     Backend(".jsonl", "facescript.backends.tables:write_jsonl", "lines of JSON: time and every channel"),
     Backend(".wav", "facescript.backends.wav:write_wav", "the sound alone"),
+    Backend(".vtt", "facescript.backends.captions.writing:write_vtt", "captions, WebVTT (--captions words: by words)"),
+    Backend(".srt", "facescript.backends.captions.writing:write_srt", "captions, SRT (--captions words: by words)"),
     Backend(".epub", "facescript.backends.epub.document:write_epub", "book with sound and the times of its words"),
     Backend(".json", "facescript.backends.play:write_json", "the resolved play and its solved times"),
 )
-
-LATER = (".vtt", ".srt")
-"""Suffixes the language reserves and this version refuses by name."""
 
 
 def backends() -> dict[str, Backend]:

@@ -9,8 +9,9 @@ from pathlib import Path
 from facescript.backends.job import Job, JobFailure
 from facescript.backends.numbered import is_numbered
 from facescript.backends.output import Outputs, outputs
-from facescript.backends.registry import LATER, Backend, backends
+from facescript.backends.registry import Backend, backends
 from facescript.backends.stills import write_pngs
+from facescript.cli.losses import losses
 from facescript.cli.outputs import no_kind, put, suffix_of, targets
 from facescript.cli.pages import page_wish
 from facescript.cli.progress import Progress
@@ -19,13 +20,16 @@ from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.script import compile_named
 from facescript.cli.settings import count, seconds, stretch
 from facescript.compile import Compiled
-from facescript.diagnostics.catalogue import diagnose
 from facescript.world import World, WorldFailure
 
-CLEAR_OUTPUTS = "`.webm`, `.gif`, `.png` and `.svg`"
+BURNT = (".mp4", ".webm", ".gif", ".png")
+"""Outputs into which captions can be burned."""
 
-PAGE_OPTIONS = ("page", "title", "subtitle", "split")
+PAGE_OPTIONS = ("page", "split")
 """Options that pages alone have."""
+
+LARGEST_FONT = 64 * 1024 * 1024
+"""Bytes of a font."""
 
 MOST_JOBS = 64
 """Processes that draw at once, whatever is asked for."""
@@ -48,8 +52,6 @@ def run(options: argparse.Namespace) -> int:
 
 def _backend(target: str, kind: str | None) -> Backend:
     suffix, known = suffix_of(target, kind), backends()
-    if suffix in LATER:
-        raise OptionFault("FS910", suffix=suffix, known=", ".join(known))
     if suffix not in known:
         raise no_kind(target, suffix, known)
     return known[suffix]
@@ -67,6 +69,21 @@ def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None
             raise OptionFault("FS905", option="--split", fitting="named .html", suffix=target)
         if is_numbered(target) and backend.suffix != ".png":
             raise OptionFault("FS905", option="%d", fitting=".png", suffix=backend.suffix)
+    _fit_captions(options, [backend.suffix for _, backend in wanted])
+
+
+def _fit_captions(options: argparse.Namespace, suffixes: list[str]) -> None:
+    """`--captions` and `--font` need an output that has them."""
+    how = options.captions
+    if how not in (None, "words", "sentences", "burn"):
+        raise OptionFault("FS904", option="--captions", value=how, example="words")
+    takes = BURNT if how == "burn" else (".vtt", ".srt")
+    if how is not None and not set(takes) & set(suffixes):
+        raise OptionFault("FS905", option=f"--captions {how}", fitting=" and ".join(takes), suffix=suffixes[0])
+    if options.font is not None and how != "burn":
+        raise OptionFault(
+            "FS905", option="--font", fitting="`--captions burn`", suffix=f"--captions {how or 'sentences'}"
+        )
 
 
 def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress: Progress) -> Job:
@@ -79,8 +96,21 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     start, end = stretch(options, score.duration)
     at = _moment(options, score.duration)
     jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
-    page = page_wish(options, world)
-    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page)
+    page, font = page_wish(options, world), _font(options.font)
+    captions = options.captions or "sentences"
+    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page, captions, font)
+
+
+def _font(name: str | None) -> bytes | None:
+    """The bytes of the font that `--font` names. Raises `OptionFault`."""
+    if name is None:
+        return None
+    try:
+        if Path(name).stat().st_size > LARGEST_FONT:
+            raise OptionFault("FS901", name=name, reason=f"it is larger than {LARGEST_FONT >> 20} MiB")
+        return Path(name).read_bytes()
+    except OSError as fault:
+        raise OptionFault("FS901", name=name, reason=fault.strerror or "it cannot be read") from None
 
 
 def _moment(options: argparse.Namespace, duration: float) -> float | None:
@@ -92,7 +122,7 @@ def _moment(options: argparse.Namespace, duration: float) -> float | None:
 
 
 def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> int:
-    _warn(job, wanted)
+    show(losses(job, wanted))
     target = ""
     try:
         with outputs() as batch:
@@ -104,14 +134,6 @@ def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> in
     except OSError as fault:
         return refuse("FS903", path=target, reason=fault.strerror or "it cannot be written")
     return 0
-
-
-def _warn(job: Job, wanted: list[tuple[str, Backend]]) -> None:
-    """Tell of outputs that cannot be transparent where the script asks for it."""
-    opaque = [target for target, backend in wanted if backend.opaque]
-    clear = job.stage.clear if opaque else None
-    if clear is not None:
-        show(diagnose("FS915", clear.span, path=target, fitting=CLEAR_OUTPUTS) for target in opaque)
 
 
 def _write(job: Job, target: str, backend: Backend, batch: Outputs) -> None:

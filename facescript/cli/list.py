@@ -12,7 +12,8 @@ from facescript.diagnostics.model import Diagnostics
 from facescript.performance.channels import CHANNELS, MUSCLES
 from facescript.resolve.kinds.library import kind_names, kinds_with, library_head
 from facescript.resolve.words import UNSEEN, VERBS, WORDS
-from facescript.speech.espeak.voicebox import list_voices
+from facescript.speech.model import VoiceFailure
+from facescript.speech.voices.registry import engines
 from facescript.syntax.parser import parse
 from facescript.syntax.tree import ActionDefinition, Declaration, ExpressionDefinition, Item
 from facescript.world import World
@@ -119,7 +120,12 @@ def _channels() -> Iterable[Row]:
 
 
 def _voices() -> Iterable[Row]:
-    yield from list_voices()
+    """What may stand behind `voice`, engine after engine; of one that cannot speak here, why."""
+    for row in engines().values():
+        try:
+            yield from row.load()(World(Path.cwd())).voices()
+        except VoiceFailure as failure:
+            yield row.name, f"{row.help}; not here: {failure.args[0]}"
 
 
 def _backends() -> Iterable[Row]:

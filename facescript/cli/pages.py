@@ -1,4 +1,4 @@
-"""The options `--page`, `--title`, `--subtitle` and `--split` to what is wished of a page."""
+"""The options `--page` and `--split` to what is wished of a page."""
 
 from __future__ import annotations
 
@@ -14,14 +14,13 @@ from facescript.world import LARGEST_SCRIPT, World, WorldFailure, decode
 def page_wish(options: argparse.Namespace, world: World) -> PageWish:
     """What the options ask for; a template of the author's own is read and checked. Raises `OptionFault`."""
     name = options.page or TEMPLATES[0]
-    words = {"title": options.title or "", "subtitle": options.subtitle or "", "split": options.split}
     if name in TEMPLATES:
-        return PageWish(name, **words)
+        return PageWish(name, split=options.split)
     try:
         path = _in_project(name, world)
         text = decode(world.read(path, LARGEST_SCRIPT))
         folder = PurePosixPath(path).parent
-        return PageWish(name, checked(text, lambda file: world.read(str(folder / file))), **words)
+        return PageWish(name, checked(text, lambda file: world.read(str(folder / file))), options.split)
     except WorldFailure as fault:
         raise OptionFault("FS940", name=name, reason=fault.args[0], known=_known()) from None
     except TemplateFault as fault:

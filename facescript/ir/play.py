@@ -7,7 +7,7 @@ from typing import Literal
 
 from facescript.ir.acts import Life, Sequence, SetBackground, View, Voice
 from facescript.ir.kind import Kind
-from facescript.ir.values import Amount, PicturePlace, Point
+from facescript.ir.values import Amount, Driver, PicturePlace, Point
 from facescript.text import Span
 
 MAIN = "main"
@@ -134,6 +134,17 @@ class Event:
 
 
 @dataclass(frozen=True, slots=True)
+class Viseme:
+    """How the mouth is at a sound (IPA, as a voice has it): as at the sound that it is `like`, at a degree, or with a
+    shape of its own, the mouth's channels by name."""
+
+    sound: str
+    like: str = ""
+    degree: float = 1.0
+    drivers: tuple[Driver, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Play:
     film: Film
     faces: tuple[Face, ...]
@@ -144,3 +155,4 @@ class Play:
     background: SetBackground | None = None
     view: View | None = None
     lives: tuple[tuple[str, Life], ...] = field(default=())
+    visemes: tuple[Viseme, ...] = ()

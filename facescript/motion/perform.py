@@ -20,6 +20,7 @@ from facescript.motion.mouth import MouthTrack
 from facescript.performance.channels import POSE, channels_of
 from facescript.performance.performance import Frames, Performance
 from facescript.schedule.score import Score, TimedScene
+from facescript.speech.mouth.own import table_of
 
 _PLACE = rows(("head.x", "head.y"))
 
@@ -50,7 +51,8 @@ class FaceMotion:
     def __init__(self, score: Score, face: Face) -> None:
         self.scenes = tuple(_scenes(score, face))
         self.gaze = GazeTrack(score, face)
-        self.mouth = MouthTrack(tuple(line for line in score.lines if line.face == face.name))
+        spoken = tuple(line for line in score.lines if line.face == face.name)
+        self.mouth = MouthTrack(spoken, table_of(score.visemes))
 
     def sample(self, times: Floats) -> Frames:
         """Poses at `times` (seconds, any order): array[len(times), len(POSE)]."""

@@ -185,7 +185,7 @@ def _word_cues(project: Project, act: tree.Act, said: Say, place: Place) -> tupl
     cues = []
     spoilt = project.is_spoilt(act.span)
     for on in act.ons:
-        fits = not said.text or spoilt or check_word(project, said, on.word.value, on.nth, on.word.span)
+        fits = spoilt or check_word(project, said, on.word.value, on.nth, on.word.span)
         body = block(project, on.body, place, on.span)
         if fits:
             cues.append(Cue(body, word=on.word.value, nth=on.nth))

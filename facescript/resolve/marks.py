@@ -49,7 +49,12 @@ def check_marks(project: Project) -> None:
 
 
 def check_word(project: Project, line: Say, word: str, nth: int, span: Span) -> bool:
-    """Whether a line has the `nth` `word`, or mark of that name; if not, that is reported."""
+    """Whether a line has the `nth` `word`, or mark of that name; if not, that is reported. A text that could not be
+    read has its fault told elsewhere."""
+    if not line.text:
+        if line.recording is not None or line.times is not None:
+            project.report("FS520", span, word=word)
+        return line.recording is None and line.times is None
     count = len(marked(line, word) or occurrences(line.text, word))
     if count == 0:
         project.report("FS228", span, word=word, text=shortened(line.text))

@@ -14,7 +14,18 @@ from facescript.resolve.scope import GLOBAL, Scope, expand, inside
 from facescript.resolve.sums import left_over, read_degree
 from facescript.resolve.units import SHARE, article
 from facescript.resolve.words import undrawable
-from facescript.syntax.tree import Bracket, Call, Dotted, ExpressionDefinition, Integer, Name, Operator, Quantity, Word
+from facescript.syntax.tree import (
+    Bracket,
+    Call,
+    Dotted,
+    ExpressionDefinition,
+    Integer,
+    Name,
+    Operator,
+    Phrase,
+    Quantity,
+    Word,
+)
 from facescript.text import Span
 
 
@@ -32,6 +43,11 @@ def read_mix(project: Project, reader: Reader) -> Mix:
     while sign := reader.operator("+", "-"):
         terms = terms + _term(project, reader, 1.0 if sign == "+" else -1.0)
     return Mix(terms)
+
+
+def drivers_of(project: Project, value: Phrase) -> tuple[Driver, ...]:
+    """What a whole phrase drives, each channel once. Raises `Refused`."""
+    return _flattened(project, mix(project, value.words, GLOBAL, value.span), value.span)
 
 
 def expression_mix(project: Project, name: str, side: str, degree: Amount, span: Span) -> Mix:

@@ -12,11 +12,12 @@ from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostics, Fix, Related, Severity
 from facescript.ir.acts import Say
 from facescript.ir.kind import Kind
-from facescript.ir.play import Face, Film, Target
+from facescript.ir.play import Face, Film, Target, Viseme
 from facescript.ir.values import Driver, Mark
 from facescript.resolve.names import Definition, Names
 from facescript.resolve.spoilt import line_of
 from facescript.resolve.suggest import meant
+from facescript.syntax.tree import VisemeDefinition
 from facescript.text import Span
 from facescript.world import World
 
@@ -61,6 +62,9 @@ class Project:
     faces: dict[str, Face] = field(default_factory=dict)
     kinds: dict[str, Kind | None] = field(default_factory=dict)
     targets: dict[str, Target | None] = field(default_factory=dict)
+    sounds: list[VisemeDefinition] = field(default_factory=list)
+    visemes: dict[str, Viseme] = field(default_factory=dict)
+    visemes_at: dict[str, Span] = field(default_factory=dict)
     persons_arrive: bool = False
     spoilt: frozenset[str] = frozenset()
     spoilt_lines: frozenset[tuple[str, int]] = frozenset()

@@ -23,6 +23,7 @@ from facescript.resolve.scenes import main_scene, opening, scenes
 from facescript.resolve.spoilt import spoilt
 from facescript.resolve.targets import target
 from facescript.resolve.uses import DEFINITIONS, library, used
+from facescript.resolve.visemes import viseme
 from facescript.syntax import tree
 from facescript.syntax.parser import parse_phrases
 from facescript.text import Source, Span
@@ -54,6 +55,9 @@ def _resolved(project: Project, script: tree.Script, overrides: Mapping[str, str
     settings = [item for item in script.items if isinstance(item, tree.Setting)]
     project.film = film(project, [item for item in settings if item.kind == "film"])
     _people(project, script)
+    for item in project.sounds:
+        with suppress(Refused):
+            viseme(project, item)
     scripted = _events(project, [item for item in settings if item.kind == "event"])
     project.persons_arrive = any(event.kind == "arrives" for event in scripted)
     before = opening(project, script) if _has_scenes(script) else None
@@ -73,6 +77,7 @@ def _resolved(project: Project, script: tree.Script, overrides: Mapping[str, str
         before.background if before is not None else None,
         before.view if before is not None else None,
         _lives(project),
+        tuple(project.visemes.values()),
     )
 
 
@@ -91,6 +96,8 @@ def define(project: Project, script: tree.Script, overrides: Mapping[str, str] =
     for other in others:
         collect(project, other, own=False)
     collect(project, script, own=True)
+    for one in (*others, script):
+        project.sounds += (item for item in one.items if isinstance(item, tree.VisemeDefinition))
     for name, text in overrides.items():
         _override(project, name, text)
 

@@ -111,7 +111,10 @@ def _outside(project: Project, item: tree.Statement) -> None:
     project.report("FS223", _first_line(span))
 
 
-DEFINERS = ("background", "expression", "action", "target", "event", "film", "face", "life", "let", "scene", "view")
+DEFINERS = (
+    *("background", "expression", "action", "target", "event", "film", "face", "life", "let", "scene", "view"),
+    "viseme",
+)
 
 
 def _first_line(span: Span) -> Span:

@@ -185,6 +185,9 @@ def voice_named(project: Project, words: tuple[Word, ...], span: Span) -> Voice:
         where = words[1].span.to(words[-1].span)
         advice = "behind the language stands `female`, `male`, one variant's name, or an engine and its voice in quotes"
         raise project.refuse("FS312", where, text=where.text, advice=advice)
+    if len(texts) == 2 and texts[1] in ENGINES:
+        advice = f'behind an engine stands its voice, as in `{texts[0]} {texts[1]} "NAME"`'
+        raise project.refuse("FS312", words[1].span, text=texts[1], advice=advice)
     if len(texts) < 3:
         return Voice(texts[0], "".join(texts[1:]))
     row, last = ENGINES.get(texts[1]), words[2]

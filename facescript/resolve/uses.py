@@ -17,6 +17,7 @@ DEFINITIONS = (
     tree.ExpressionDefinition,
     tree.ActionDefinition,
     tree.LetDefinition,
+    tree.VisemeDefinition,
     tree.Declaration,
     tree.Use,
 )

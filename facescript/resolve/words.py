@@ -229,7 +229,7 @@ SYNONYMS = {
 _BLOCKS = (
     "at choose event film forever in on people person repeat resume restart stop times to together until use when with"
 )
-_DEFINERS = "action expression face film kind let life scene target use"
+_DEFINERS = "action expression face film kind let life scene target use viseme"
 _GIVEN = "all away camera down left neutral right up"
 _CHANNELS = "brow cheek chin ear eye forehead gaze head lid lip mouth muzzle nose pupil"
 

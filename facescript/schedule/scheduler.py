@@ -27,6 +27,7 @@ from facescript.schedule.presence import Presence
 from facescript.schedule.round import Round
 from facescript.schedule.rules import Times
 from facescript.schedule.score import Score
+from facescript.schedule.sounds import sounds_unknown
 from facescript.schedule.steps import NEVER, Key, Maker, TooMany
 from facescript.schedule.voices import Voices
 from facescript.schedule.writing import Writing
@@ -179,6 +180,7 @@ class _Scheduler:
         shows_together(solved.done, self.faults)
         looks_lost(solved.done, self.plans, self.faults)
         hurried(solved.done, self.faults)
+        sounds_unknown(sounds, self.voices, self.play.visemes, self.faults)
         apexes_missed(solved.done, self.drops, self.faults)
         left_out(solved.late, solved.times.cut, solved.long, self.faults)
         nothing_dropped(self.idle, self.drops, solved.done, self.faults)

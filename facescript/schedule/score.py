@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from facescript.ir.acts import Verb
-from facescript.ir.play import Face, Film, Target
+from facescript.ir.play import Face, Film, Target, Viseme
 from facescript.space.plan import GazePlan
 from facescript.speech.model import Spoken
 from facescript.text import Span
@@ -45,7 +45,8 @@ class TimedAct:
 
 @dataclass(frozen=True, slots=True)
 class TimedLine:
-    """A spoken line at its time. `cut` is where it breaks off (a reaction took the voice), else None."""
+    """A spoken line at its time. `cut` is where it breaks off (a reaction took the voice), else None; `text` is what
+    it says, plain, in which the words of `spoken` stand."""
 
     face: str
     start: float
@@ -54,6 +55,7 @@ class TimedLine:
     span: Span
     label: str | None = None
     cut: float | None = None
+    text: str = ""
 
     @property
     def end(self) -> float:
@@ -91,3 +93,4 @@ class Score:
     markers: tuple[Marker, ...]
     duration: float
     estimated: bool = False
+    visemes: tuple[Viseme, ...] = ()

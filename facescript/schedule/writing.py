@@ -64,6 +64,7 @@ class Writing:
             tuple(self._markers()),
             duration,
             any(line.spoken.estimated for line in lines),
+            self.play.visemes,
         )
 
     # -------------------------------------------------------------------------------------------- acts
@@ -123,7 +124,10 @@ class Writing:
             spoken = self.round.times.voices.speak(sound.line, node.span)
             label = in_pass(node.label, sound.step.passes) if node.label else None
             cut = sound.end if sound.cut else None
-            lines.append(TimedLine(sound.face, sound.start, spoken, sound.line.voice.volume, node.span, label, cut))
+            said = sound.line
+            lines.append(
+                TimedLine(sound.face, sound.start, spoken, said.voice.volume, node.span, label, cut, said.text)
+            )
         return tuple(sorted(lines, key=lambda line: line.start))
 
     def _scenes(self, duration: float) -> Iterator[TimedScene]:

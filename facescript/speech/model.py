@@ -11,13 +11,15 @@ from facescript.speech.spool import Kept
 
 @dataclass(frozen=True, slots=True)
 class WordTime:
-    """A word of the line: its stretch of the plain text (characters), and seconds from the line's start."""
+    """A word of the line: its stretch of the plain text (characters), and seconds from the line's start; whether the
+    text stresses it (`*word*`)."""
 
     text: str
     first: int
     last: int
     start: float
     end: float
+    stress: bool = False
 
 
 @dataclass(frozen=True, slots=True)

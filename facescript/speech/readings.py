@@ -5,7 +5,7 @@ from __future__ import annotations
 from facescript.ir.acts import Say, Stretch
 from facescript.speech.espeak.manner import MANDARIN
 from facescript.speech.lines import is_letter
-from facescript.speech.mandarin.syllables import numbered
+from facescript.speech.mandarin.phonetic import syllables_of
 from facescript.speech.model import VoiceFailure
 from facescript.speech.mouth.ipa import mnemonics
 
@@ -22,8 +22,7 @@ def check_readings(line: Say) -> None:
         if mark.kind != "reading":
             continue
         if mandarin:
-            for syllable in mark.value.split():
-                numbered(syllable)
+            syllables_of(mark.value)
         elif (ipa := ipa_of(mark)) is not None:
             mnemonics(ipa)
         elif not any(map(is_letter, mark.value)):

@@ -7,6 +7,7 @@ from dataclasses import replace
 from facescript.ir.acts import Say
 from facescript.speech.align.aligned import aligned
 from facescript.speech.espeak.voicebox import process_voice
+from facescript.speech.listen.alone import alone
 from facescript.speech.model import Spoken, VoiceBox, VoiceFailure
 from facescript.speech.sound.recording import UNUSABLE, Recording, read_recording
 from facescript.speech.timing.line import timed
@@ -19,7 +20,7 @@ def recorded(line: Say, world: World, voice: VoiceBox) -> Spoken:
         return timed(line, world, voice, _sound(_read(world, line.recording)) if line.recording else None)
     assert line.recording is not None
     sound = _read(world, line.recording)
-    return _with_words(sound, line) if line.text else _sound(sound)
+    return _with_words(sound, line) if line.text else alone(sound, line.voice.language)
 
 
 def _with_words(sound: Recording, line: Say) -> Spoken:

@@ -20,15 +20,27 @@ class Studio:
         self._world, self._voice, self._spool = world, voice, Spool()
 
     def speak(self, line: Say) -> Spoken:
-        spoken = self._speak(line)
+        spoken = _stressed(self._spoken(line), line)
         return replace(spoken, sound=self._spool.keep(spoken.pcm))
 
-    def _speak(self, line: Say) -> Spoken:
+    def _spoken(self, line: Say) -> Spoken:
         if line.recording is None and line.times is None:
             return self._voice.speak(line)
         from facescript.speech.recorded import recorded  # numpy: only lines with files pay it
 
         return recorded(line, self._world, self._voice)
+
+
+def _stressed(spoken: Spoken, line: Say) -> Spoken:
+    """The line with the words marked that its text stresses, whatever has spoken it."""
+    marks = [(mark.start, mark.end) for mark in line.stretches if mark.kind == "stress"]
+    if not marks:
+        return spoken
+    words = (
+        replace(word, stress=any(word.first < end and start < word.last for start, end in marks))
+        for word in spoken.words
+    )
+    return replace(spoken, words=tuple(words))
 
 
 def open_studio(world: World) -> VoiceBox:

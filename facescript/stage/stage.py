@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from facescript.canvas.overlay import Stickers
 from facescript.performance.performance import Performance
 from facescript.rig.picture import Shape
 from facescript.schedule.score import Score, TimedAct
@@ -38,10 +39,18 @@ class Stage:
 
     `shapes` are in drawing order: the backdrops of all faces, then face by face. With several faces their ids carry
     the face's name (`ada-mouth`); `owners` are the shapes' faces. `pictures` reads a background picture by its path.
-    `clear` is the first act that makes the ground transparent, None where none does.
+    `clear` is the first act that makes the ground transparent, None where none does; `over` is what is laid over the
+    picture, None for nothing.
     """
 
-    def __init__(self, score: Score, performance: Performance, pictures: Callable[[str], bytes]) -> None:
+    def __init__(
+        self,
+        score: Score,
+        performance: Performance,
+        pictures: Callable[[str], bytes],
+        over: Stickers | None = None,
+    ) -> None:
+        self.over = over
         self.width, self.height = score.film.width, score.film.height
         self.pictures = pictures
         self._score = score

@@ -162,6 +162,10 @@ class Builder:
         name, value = children
         return tree.LetDefinition(name, value, Span(self.source, start, end))
 
+    def viseme(self, children: list[Any], start: int, end: int) -> tree.VisemeDefinition:
+        sound, value = children
+        return tree.VisemeDefinition(sound, value, Span(self.source, start, end))
+
     def face(self, children: list[Any], start: int, end: int) -> tree.Declaration:
         return self._declaration("face", children, start, end)
 

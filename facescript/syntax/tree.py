@@ -220,6 +220,15 @@ class LetDefinition:
 
 
 @dataclass(frozen=True, slots=True)
+class VisemeDefinition:
+    """`viseme "SOUND" = SUM` or `= "SOUND" 80%`."""
+
+    sound: String
+    value: Phrase
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Declaration:
     """`face NAME = phrases`, `life NAME = phrases`, `target NAME phrases`, with the indented lines below them."""
 
@@ -265,7 +274,17 @@ class When:
     span: Span
 
 
-Definition = ExpressionDefinition | ActionDefinition | LetDefinition | Declaration | Setting | Use | Scene | When
+Definition = (
+    ExpressionDefinition
+    | ActionDefinition
+    | LetDefinition
+    | VisemeDefinition
+    | Declaration
+    | Setting
+    | Use
+    | Scene
+    | When
+)
 Item = Definition | Statement
 
 

@@ -12,7 +12,7 @@ from saying import line, over, phones_of, words_of
 
 from facescript.ir.acts import Say, Stretch, Voice
 from facescript.speech.espeak.parts import LEAD, TAIL
-from facescript.speech.espeak.voicebox import list_voices, open_voice
+from facescript.speech.espeak.voicebox import open_voice, process_voice
 from facescript.speech.model import Spoken, VoiceFailure
 
 pytestmark = pytest.mark.usefixtures("synthesiser")
@@ -64,7 +64,7 @@ def test_phones_of_a_line() -> None:
 
 def test_every_language_speaks() -> None:
     voice = open_voice()
-    for language, _ in list_voices():
+    for language, _ in process_voice().listed():
         if language in ("en-us", "af", "zu", "sw", "vi", "pt-br", "fr-be", "es-419", "cmn"):
             assert voice.speak(line("Mama 1", language)).words
 
@@ -184,7 +184,7 @@ def test_variants_sound_different() -> None:
 
 
 def test_the_list_of_voices_names_languages_and_variants() -> None:
-    listed = dict(list_voices())
+    listed = dict(process_voice().listed())
     assert listed["en-gb"] == "English (Great Britain)"
     assert listed["female"] == "variant"
     assert len(listed) > 200

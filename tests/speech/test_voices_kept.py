@@ -28,7 +28,7 @@ SPOKEN = Spoken(
     0.1,
     (WordTime("Hi", 0, 2, 0.01, 0.1 / 3),),
     (PhoneTime("", 0.0, 0.01), PhoneTime("h", 0.01, 0.02, True)),
-    doubts=(Doubt("FS599", "it is a test"),),
+    doubts=(Doubt("FS509", "it is a test"),),
 )
 
 
@@ -64,7 +64,7 @@ def test_the_next_program_does_not_speak_it_again() -> None:
 
 
 def test_all_of_a_spoken_line_is_kept() -> None:
-    kept = {"pcm", "rate", "duration", "words", "phones", "doubts"}
+    kept = {"sound", "rate", "duration", "words", "phones", "doubts"}
     assert {field.name for field in fields(Spoken)} == kept | {"estimated"}, "keep the new field in store.py"
     store.save("0" * 40, SPOKEN)
     assert store.load("0" * 40) == SPOKEN
@@ -125,7 +125,7 @@ def test_check_has_the_times_of_a_line_that_was_spoken() -> None:
     said, new = line("Hi."), line("Never said.")
     store.save(store.key_of(said, EspeakEngine().identity(said.voice)), SPOKEN)
     voice = KnownTimes(World(Path.cwd()))
-    assert voice.speak(said) == replace(SPOKEN, pcm=b"")
+    assert voice.speak(said) == replace(SPOKEN, sound=b"")
     assert voice.speak(new) == EstimatedVoice().speak(new)
 
 

@@ -8,11 +8,12 @@ import struct
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
-from facescript.speech.espeak.client import WORKER, Espeak, Utterance
+from facescript.speech.espeak.client import WORKER, Espeak, Sound, Utterance
 from facescript.speech.model import VoiceFailure
 
 HELLO = Utterance("Pizzerias are convenient for a quick lunch.", "gmw/en-US+f3")
@@ -26,7 +27,30 @@ def program(folder: Path, *lines: str) -> Path:
 
 
 def answer(head: bytes) -> str:
-    return f"out.write({struct.pack('>I', len(head)) + head + struct.pack('>I', 0)!r}); out.flush()"
+    return f"out.write({framed(head)!r}); out.flush()"
+
+
+def framed(head: bytes, sound: bytes = b"") -> bytes:
+    return struct.pack(">I", len(head)) + head + struct.pack(">I", len(sound)) + sound
+
+
+def process(espeak: Espeak) -> subprocess.Popen[bytes]:
+    """The worker that runs now."""
+    running = espeak._worker._process
+    assert running is not None
+    return running
+
+
+def counting(folder: Path, *lines: str) -> Path:
+    """A worker that adds a line to the file `starts` each time that it starts; `number` counts them, from 1."""
+    starts = folder / "starts"
+    return program(
+        folder,
+        "import sys, os, json",
+        f"open({str(starts)!r}, 'a').write('started\\n'); number = len(open({str(starts)!r}).readlines())",
+        "out = sys.stdout.buffer; sys.stdin.buffer.read(4)",
+        *lines,
+    )
 
 
 class TestRealWorker:
@@ -78,10 +102,41 @@ class TestRealWorker:
     def test_a_killed_worker_is_started_again(self) -> None:
         espeak = Espeak()
         first = espeak.speak(HELLO)
-        assert espeak._process is not None
-        espeak._process.kill()
-        espeak._process.wait()
+        process(espeak).kill()
+        process(espeak).wait()
         assert espeak.speak(HELLO) == first
+
+    def test_a_worker_killed_in_mid_line_says_it_once(self) -> None:
+        espeak = Espeak()
+        long = Utterance("One, two, three, four, five, six, seven, eight, nine, ten. " * 40, "gmw/en-US")
+        whole = espeak.speak(long)
+        heard: list[bytes] = []
+
+        def take(stretch: Sound) -> None:
+            heard.append(stretch.pcm)
+            if len(heard) == 5:
+                process(espeak).kill()
+
+        assert espeak.speak(long, take) == whole
+        assert b"".join(heard) == whole.pcm
+
+    def test_a_line_given_up_does_not_stand_in_the_way_of_the_next(self) -> None:
+        espeak = Espeak()
+        expected = espeak.speak(HELLO)
+
+        def refuse(stretch: Sound) -> None:
+            raise KeyboardInterrupt
+
+        with pytest.raises(KeyboardInterrupt):
+            espeak.speak(HELLO, refuse)
+        assert espeak.speak(HELLO) == expected
+
+    def test_threads_share_it(self) -> None:
+        espeak = Espeak()
+        texts = [Utterance(f"Number {number}.", "gmw/en-US") for number in range(8)]
+        expected = [espeak.speak(text) for text in texts]
+        with ThreadPoolExecutor(4) as threads:
+            assert list(threads.map(espeak.speak, texts)) == expected
 
     def test_it_ends_with_its_standard_input(self) -> None:
         process = subprocess.Popen([sys.executable, "-P", str(WORKER)], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
@@ -129,6 +184,21 @@ def test_a_hang_is_a_failure_and_not_a_hang(tmp_path: Path) -> None:
     with pytest.raises(VoiceFailure, match=r"did not answer within 0\.5 s"):
         Espeak(hanging, seconds=0.5).speak(HELLO)
     assert time.monotonic() - begun < 30
+
+
+def test_a_worker_that_dies_in_every_line_is_started_twice_and_no_more(tmp_path: Path) -> None:
+    dying = counting(tmp_path, "os.abort()")
+    with pytest.raises(VoiceFailure, match="broke off"):
+        Espeak(dying).speak(HELLO)
+    assert (tmp_path / "starts").read_text().count("started") == 2
+
+
+def test_what_was_heard_before_it_broke_off_is_not_heard_again(tmp_path: Path) -> None:
+    parts = [framed(json.dumps({"rate": 22050, "events": [], "more": at < 2}).encode(), bytes([at])) for at in range(3)]
+    dying = counting(tmp_path, f"out.write({parts[0] + parts[1][:-1]!r} if number == 1 else {b''.join(parts)!r})")
+    heard: list[bytes] = []
+    assert Espeak(dying).speak(HELLO, lambda stretch: heard.append(stretch.pcm)).pcm == b"\0\1\2"
+    assert heard == [b"\0", b"\1", b"\2"]
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from facescript.performance.channels import NAMES
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted(path.name for path in (ROOT / "examples").glob("*.face") if path.name != "studio.face")
-KINDS = ("mp4", "webm", "gif", "svg", "csv", "jsonl", "png", "wav", "json")
+KINDS = ("mp4", "webm", "gif", "svg", "csv", "jsonl", "png", "wav", "vtt", "srt", "json")
 
 
 @pytest.fixture(autouse=True)

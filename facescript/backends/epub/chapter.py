@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from facescript.backends.chapters import Beside, Chapter
 from facescript.backends.epub.names import HEAD, STYLE, told
 from facescript.backends.page.words import Line
-from facescript.ir.acts import AddLink, SetPicture
+from facescript.ir.acts import AddLink
 
 TITLE = "title"
 """The id of a chapter's heading."""
@@ -50,21 +50,8 @@ def line_id(line: int) -> str:
 
 
 def _body(chapter: Chapter, setting: Setting) -> Iterator[str]:
-    """The lines in order; a picture stands before the line in which it appears, a link behind it."""
-    waiting = list(chapter.beside)
-    for number, line in enumerate(chapter.lines, start=1):
-        yield from _taken(waiting, SetPicture, line.end, setting)
-        yield _paragraph(number, line, setting)
-        yield from _taken(waiting, AddLink, line.end, setting)
-    yield from (_element(beside, setting) for beside in waiting)
-
-
-def _taken(waiting: list[Beside], kind: type, before: float, setting: Setting) -> Iterator[str]:
-    """What of a kind appears before a time, taken from those that wait."""
-    due = [beside for beside in waiting if isinstance(beside.shown, kind) and beside.start < before]
-    for beside in due:
-        waiting.remove(beside)
-        yield _element(beside, setting)
+    for item in chapter.flow():
+        yield _element(item, setting) if isinstance(item, Beside) else _paragraph(*item, setting)
 
 
 def _element(beside: Beside, setting: Setting) -> str:

@@ -5,13 +5,12 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
-from io import BytesIO
 from pathlib import Path
 from uuid import UUID
 
 import numpy as np
 
-from facescript.backends.chapters import Chapter, chapters
+from facescript.backends.chapters import Chapter, chapters, pictures, speakers
 from facescript.backends.epub import names
 from facescript.backends.epub.archive import Archive
 from facescript.backends.epub.chapter import Setting, chapter_page
@@ -22,10 +21,7 @@ from facescript.backends.page.document import called, titled
 from facescript.backends.page.sound import write_mp3
 from facescript.backends.page.words import html_language
 from facescript.backends.stills import written
-from facescript.backends.svg.ground import picture_kind
 from facescript.backends.svg.telling import telling_moment
-from facescript.ir.acts import SetPicture
-from facescript.pictures import opened
 from facescript.stage.stage import Stage
 
 STYLE = Path(__file__).with_name(names.STYLE)
@@ -56,7 +52,7 @@ class _Writer:
         self._archive.put("META-INF/container.xml", CONTAINER.encode())
         self._text(Item("style", names.STYLE, "text/css"), STYLE.read_text("utf-8"))
         self._faces()
-        setting = Setting(self._languages[0], _speakers(self._chapters), self._pictures())
+        setting = Setting(self._languages[0], speakers(self._chapters), self._pictures())
         for number, chapter in enumerate(self._chapters, start=1):
             self._chapter(number, chapter, setting)
             self._job.progress(number, len(self._chapters))
@@ -70,8 +66,7 @@ class _Writer:
         if any(line.words for line in chapter.lines):
             overlay = f"overlay-{number}"
             file = self._folder / names.sound(number)
-            sound = self._job.sound.between(chapter.start, chapter.end)
-            write_mp3(sound.blocks(), sound.rate, file)
+            write_mp3(self._job.sound.between(*self._span(chapter)), file)
             self._put(Item(f"sound-{number}", names.sound(number), MP3), file)
             document = overlay_document(chapter, names.page(number), names.sound(number))
             self._text(Item(overlay, names.overlay(number), SMIL), document)
@@ -79,9 +74,13 @@ class _Writer:
         page = chapter_page(chapter, setting, names.face(number), _seen(self._job, chapter))
         self._text(Item(f"chapter-{number}", names.page(number), XHTML, overlay=overlay), page)
 
+    def _span(self, chapter: Chapter) -> tuple[float, float]:
+        """A chapter's stretch of the film."""
+        return self._job.start + chapter.start, self._job.start + chapter.end
+
     def _faces(self) -> None:
         """The cover, and a picture of the faces for each chapter."""
-        spans = [(self._job.start, self._job.end), *((chapter.start, chapter.end) for chapter in self._chapters)]
+        spans = [(self._job.start, self._job.end), *map(self._span, self._chapters)]
         moments = np.array([telling_moment(self._job, start, end) for start, end in spans])
         files = [names.COVER, *(names.face(number) for number in range(1, len(spans)))]
         drawn = written(_smaller(self._job), moments, [self._folder / file for file in files])
@@ -92,8 +91,7 @@ class _Writer:
     def _pictures(self) -> dict[str, str]:
         """The files of the pictures beside the faces by their paths in the project."""
         files: dict[str, str] = {}
-        for path in _beside(self._chapters):
-            data, kind = _fit(self._job.pictures(path))
+        for path, data, kind in pictures(self._job, self._chapters):
             files[path] = f"picture-{len(files) + 1:03d}.{kind.partition('/')[2]}"
             self._bytes(Item(f"picture-{len(files)}", files[path], kind), data)
         return files
@@ -127,22 +125,6 @@ def _smaller(job: Job) -> Stage:
     return Stage(replace(job.score, film=film), job.performance, job.pictures)
 
 
-def _beside(found: Sequence[Chapter]) -> list[str]:
-    """The paths of all pictures beside the faces, each once."""
-    shown = (beside.shown for chapter in found for beside in chapter.beside)
-    return list(dict.fromkeys(each.picture for each in shown if isinstance(each, SetPicture) and each.picture))
-
-
-def _fit(data: bytes) -> tuple[bytes, str]:
-    """A picture as books may have it, and its kind: BMP becomes PNG."""
-    kind = picture_kind(data)
-    if kind != "image/bmp":
-        return data, kind
-    out = BytesIO()
-    opened(data).save(out, "PNG")
-    return out.getvalue(), PNG
-
-
 def _languages(job: Job, found: Sequence[Chapter]) -> tuple[str, ...]:
     """The languages that are read, the one of most lines first; that of the faces where nobody speaks."""
     spoken = [line.language for chapter in found for line in chapter.lines]
@@ -150,13 +132,6 @@ def _languages(job: Job, found: Sequence[Chapter]) -> tuple[str, ...]:
     return tuple(sorted(dict.fromkeys(spoken), key=lambda language: -spoken.count(language))) or ("en",)
 
 
-def _speakers(found: Sequence[Chapter]) -> dict[str, str]:
-    """The names of those who speak, where they are several."""
-    faces = dict.fromkeys(line.face for chapter in found for line in chapter.lines)
-    return {face: called(face) for face in faces} if len(faces) > 1 else {}
-
-
 def _seen(job: Job, chapter: Chapter) -> str:
     """Who is seen in a chapter."""
-    scene = next(scene for scene in job.score.scenes if scene.start <= chapter.start < scene.end)
-    return ", ".join(called(face.name) for face in job.score.faces if face.seen and face.name in scene.faces)
+    return ", ".join(called(face.name) for face in job.score.faces if face.seen and face.name in chapter.faces)

@@ -38,8 +38,9 @@ def _marks(chapter: Chapter) -> Iterator[tuple[str, int, float]]:
     yield TITLE, 0, last
     for number, line in enumerate(chapter.lines, start=1):
         for place, word in enumerate(line.words, start=1):
-            if last + LEAST <= word.start <= chapter.duration - LEAST:
-                last = round(word.start, 3)
+            start = word.start - chapter.start
+            if last + LEAST <= start <= chapter.duration - LEAST:
+                last = round(start, 3)
                 yield word_id(number, place), number, last
 
 

@@ -52,6 +52,10 @@ def write_split(job: Job, target: Path, batch: Outputs) -> None:
 def page(job: Job, folder: str = "") -> Page:
     """The page of a job; with a `folder`, sound and motion are files of that folder beside it. Raises `JobFailure`."""
     wish = job.page
+    if wish.template == "book":
+        from facescript.backends.page.book import book_page  # it is made of what is here
+
+        return book_page(job, folder)
     template = resource(f"{wish.template}.html") if wish.brought is None else wish.brought
     return assembled(job, template, placeholders(job, lines(job.score, job.start, job.end)), folder)
 
@@ -62,20 +66,25 @@ def placeholders(job: Job, said: Sequence[Line]) -> dict[str, str]:
     names = {face.name: called(face.name) for face in job.score.faces}
     return {
         "title": escape(title),
-        "subtitle": escape(job.page.subtitle),
+        "author": escape(job.score.film.author),
         "language": escape(said[0].language if said else "en"),
         "face": _face(job, title),
         "controls": resource("controls.html"),
         "text": '<div class="fs-text" data-facescript="text" role="region" aria-label="Text">\n'
-        f"{transcript(said, names)}\n</div>",
+        f"{transcript(said, names, [scene.title for scene in job.score.scenes])}\n</div>",
     }
 
 
 def assembled(job: Job, template: str, parts: Mapping[str, str], folder: str = "", scripts: Sequence[str] = ()) -> Page:
     """A template with its placeholders' `parts`, the player, further `scripts`, and the film they play."""
     script = f'(() => {{\n"use strict";\n{resource("face.js")}\n{resource("player.js")}\n}})();\n'
-    sound, moved = _sound(job), motion(job)
-    film = {**figure(job.stage, moved), "duration": round(job.end - job.start, 3), "folder": quote(folder)}
+    sound, moved = mp3(job.heard), motion(job)
+    film = {
+        **figure(job.stage, moved),
+        "duration": round(job.end - job.start, 3),
+        "folder": quote(folder),
+        "headlines": _headlines(job),
+    }
     address, files, motions = _within(sound, moved) if not folder else _beside(sound, moved, quote(folder))
     end = [
         '<div class="fs-hidden" role="status" data-facescript="told"></div>',
@@ -94,10 +103,17 @@ def assembled(job: Job, template: str, parts: Mapping[str, str], folder: str = "
 
 
 def titled(job: Job) -> str:
-    """The title that was given, with the page or in the script, or the script's name in words."""
+    """The title that the script gives, or the script's name in words."""
     acts = job.score.acts
     name = acts[0].span.source.name if acts else "FaceScript"
-    return job.page.title or job.score.film.title or called(PurePosixPath(name).stem)
+    return job.score.film.title or called(PurePosixPath(name).stem)
+
+
+def _headlines(job: Job) -> list[tuple[float, str]]:
+    """The titles of the scenes from the moments on in which they begin, and before the first one the page's own."""
+    title = titled(job)
+    scenes = [(round(scene.start - job.start, 3), scene.title or title) for scene in job.score.scenes]
+    return [(-1.0, title), *(scene for scene in scenes if scene[0] < job.end - job.start)]
 
 
 def called(name: str) -> str:
@@ -121,11 +137,6 @@ def _face(job: Job, title: str) -> str:
         f'<button class="fs-begin" type="button" data-facescript="play" data-key="space" aria-label="Play">'
         '<svg viewBox="0 0 24 24" aria-hidden="true"><path d="M6 4v16l14-8z"/></svg></button>\n</div>'
     )
-
-
-def _sound(job: Job) -> bytes | None:
-    heard = job.heard
-    return None if heard.silent else mp3(heard.blocks(), heard.rate)
 
 
 def _within(sound: bytes | None, moved: Motion) -> tuple[str, dict[str, bytes], str]:

@@ -56,8 +56,8 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """All frames, `RATE` a second. `firsts` are the first points of the faces; `cuts` the frames that nothing leads over to; `grounds`
-    the ground from a frame on, wherever another begins."""
+    """All frames, `RATE` a second. `firsts` are the first points of the faces; `cuts` the frames that nothing leads
+    over to; `grounds` the ground from a frame on, wherever another begins."""
 
     frames: int
     part_frames: int

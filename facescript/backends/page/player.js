@@ -192,6 +192,8 @@ function lastOf(list, value, key = (each) => each) {
 
 function follow(time) {
   tellTime(time);
+  const [, headline] = film.headlines[lastOf(film.headlines, time + 1e-3, ([start]) => start)];
+  for (const element of all("headline")) if (element.textContent !== headline) element.textContent = headline;
   const number = lastOf(starts, time + 1e-3), word = time < ends[number] ? words[number] : undefined;
   if (word !== lit) {
     if (lit) lit.classList.remove("now");
@@ -206,11 +208,19 @@ function reveal(word) {
   for (const other of document.querySelectorAll(".fs-line.now")) if (other !== line) other.classList.remove("now");
   if (!line) return;
   line.classList.add("now");
-  if (!text || !clock.playing || performance.now() - touched < 4000 || text.scrollHeight <= text.clientHeight) return;
-  const inside = word.getBoundingClientRect(), outside = text.getBoundingClientRect();
-  if (inside.top > outside.top + 24 && inside.bottom < outside.top + outside.height * 0.7) return;
+  if (!text || !clock.playing || performance.now() - touched < 4000) return;
+  const own = text.scrollHeight > text.clientHeight + 1 && getComputedStyle(text).overflowY !== "visible";
+  const top = own ? text.getBoundingClientRect().top : stuck(), bottom = own ? top + text.clientHeight : innerHeight;
+  const at = word.getBoundingClientRect();
+  if (top < 0 || at.top > top + 24 && at.bottom < top + (bottom - top) * 0.7) return;
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  text.scrollBy({ top: inside.top - outside.top - outside.height * 0.3, behavior: calm ? "auto" : "smooth" });
+  (own ? text : window).scrollBy({ top: at.top - top - (bottom - top) * 0.3, behavior: calm ? "auto" : "smooth" });
+}
+
+// Where a page begins below its screen, if that stays in sight while the page scrolls; else -1.
+function stuck() {
+  const screen = one("screen");
+  return screen && getComputedStyle(screen).position === "sticky" ? screen.getBoundingClientRect().bottom : -1;
 }
 
 function caption(number, time) {
@@ -240,8 +250,8 @@ document.addEventListener("click", (event) => {
   const word = event.target.closest(".fs-word, .fs-from");
   if (word) seek(Number(word.dataset.start) + (word.matches(".fs-word") ? 0.001 : 0));
 });
-for (const text of all("text")) for (const kind of ["wheel", "touchmove"])
-  text.addEventListener(kind, () => { touched = performance.now(); }, { passive: true });
+for (const kind of ["wheel", "touchmove"])
+  addEventListener(kind, () => { touched = performance.now(); }, { passive: true });
 
 // ---------------------------------------------------------------- beginning
 

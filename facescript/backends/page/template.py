@@ -20,7 +20,7 @@ PLACEHOLDER = re.compile(r"\{\{\s*([a-z]+)\s*\}\}")
 NEEDED = "face"
 """The placeholder that no template may be without."""
 
-NAMES = ("controls", "face", "language", "subtitle", "text", "title")
+NAMES = ("author", "controls", "face", "language", "text", "title")
 """All placeholders."""
 
 FETCHED = re.compile(
@@ -109,7 +109,7 @@ def policy(scripts: Sequence[str], brought: bool, split: bool) -> str:
     allowed, styles = ("'unsafe-inline' data:", "'unsafe-inline' data:") if brought else (ours, "'unsafe-inline'")
     beside = " 'self' file:" if split else ""
     return (
-        f"default-src 'none'; script-src {allowed}{beside}; style-src {styles}; img-src data:; font-src data:; "
+        f"default-src 'none'; script-src {allowed}{beside}; style-src {styles}; img-src data:{beside}; font-src data:; "
         f"media-src data:{beside}; base-uri 'none'; form-action 'none'"
     )
 

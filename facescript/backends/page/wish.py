@@ -1,20 +1,18 @@
-"""What is wished of a page beyond the film: its template, its words, whether it comes in several files."""
+"""What is wished of a page beyond the film: its template, and whether it comes in several files."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-TEMPLATES = ("plain", "announcer")
+TEMPLATES = ("plain", "announcer", "book")
 """Those that come with the program, each a file of its name in this folder."""
 
 
 @dataclass(frozen=True, slots=True)
 class PageWish:
-    """`template` is one of TEMPLATES or, where `brought` is a template's text, its name; `title` and `subtitle` are
-    words for people, empty where none were given; `split` asks for sound and motion in files of their own."""
+    """`template` is one of TEMPLATES or, where `brought` is a template's text, its name; `split` asks for sound and
+    motion in files of their own."""
 
     template: str = "plain"
     brought: str | None = None
-    title: str = ""
-    subtitle: str = ""
     split: bool = False

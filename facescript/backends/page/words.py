@@ -62,10 +62,17 @@ def lines(score: Score, start: float, end: float) -> list[Line]:
     return found
 
 
-def transcript(said: Sequence[Line], titles: dict[str, str]) -> str:
-    """The lines as paragraphs; with the faces' `titles` in front where several speak. All text is escaped."""
+def transcript(said: Sequence[Line], names: dict[str, str], scenes: Sequence[str]) -> str:
+    """The lines as paragraphs, with the faces' `names` in front where several speak, below the titles of their
+    `scenes` where there are any. All text is escaped."""
     several = len({line.face for line in said}) > 1
-    return "\n".join(paragraph(line, titles.get(line.face, line.face) if several else "") for line in said)
+    parts, scene = [], -1
+    for line in said:
+        if line.scene != scene and scenes[line.scene]:
+            parts.append(f'<h2 class="fs-scene"><bdi>{escape(scenes[line.scene])}</bdi></h2>')
+        scene = line.scene
+        parts.append(paragraph(line, names.get(line.face, line.face) if several else ""))
+    return "\n".join(parts)
 
 
 def paragraph(line: Line, speaker: str) -> str:

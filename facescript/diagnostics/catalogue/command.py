@@ -110,17 +110,6 @@ COMMAND: tuple[Entry, ...] = (
         command=("preview", "script.face"),
     ),
     Entry(
-        "FS910",
-        "later-output",
-        Severity.ERROR,
-        "`{suffix}` outputs are part of the language's design and not in this version; this one makes {known}.",
-        HELLO,
-        HELLO,
-        "`.vtt` and `.srt` are reserved for later versions.",
-        stage="command",
-        command=("build", "script.face", "-o", "words.vtt"),
-    ),
-    Entry(
         "FS911",
         "nothing-to-play",
         Severity.ERROR,

@@ -1,4 +1,4 @@
-"""Codes FS940 to FS943, templates of pages; `stage` is "command" and `command` its words."""
+"""Codes FS940 to FS945, pages and their templates; `stage` is "command" and `command` its words."""
 
 from __future__ import annotations
 
@@ -55,5 +55,16 @@ PAGES: tuple[Entry, ...] = (
         files={"mine.html": '{{face}} <img src="https://example.org/logo.png">\n'},
         stage="command",
         command=("build", "script.face", "--page", "mine.html", "-o", "page.html"),
+    ),
+    Entry(
+        "FS945",
+        "beside-left-out",
+        Severity.WARNING,
+        "`{path}` shows the faces alone; the pictures and links beside them are in `.epub` and with `--page book`.",
+        'link "https://example.org" "More"\nnod\n',
+        HELLO,
+        "`picture` and `link` are for books. What is to be seen in a film stands behind the faces: `background`.",
+        stage="command",
+        command=("build", "script.face", "--to", "100ms", "-o", "film.gif"),
     ),
 )

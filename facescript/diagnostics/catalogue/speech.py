@@ -5,6 +5,9 @@ from __future__ import annotations
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.model import Severity
 
+_SILENCE = "RIFF\x24\x20\0\0WAVEfmt \x10\0\0\0\1\0\1\0\0\x20\0\0\0\x40\0\0\2\0\x10\0data\0\x20\0\0" + "\0" * 0x2000
+"""A WAV file of half a second without sound, every byte of it ASCII."""
+
 SPEECH: tuple[Entry, ...] = (
     Entry(
         "FS501",
@@ -136,6 +139,58 @@ SPEECH: tuple[Entry, ...] = (
         'face ada = woman, voice fr-fr\n\nsay ssml "hello.ssml"\n',
         "The voice is that of the face.",
         files={"hello.ssml": '<speak xml:lang="fr">Bonjour.</speak>'},
+    ),
+    Entry(
+        "FS520",
+        "words-unknown",
+        Severity.ERROR,
+        "This line has no text, so where “{word}” is in it cannot be found.",
+        'say from "take.wav"\n    on "cup": nod\n',
+        'say "Take the cup." from "take.wav"\n    on "cup": nod\n',
+        "Write what is said before `from`, or give the moment in seconds: `at take + 1.2s:` for a line named with "
+        "`as take`.",
+        files={"take.wav": "not sound"},
+    ),
+    Entry(
+        "FS521",
+        "nothing-heard",
+        Severity.WARNING,
+        "Nobody is heard in the recording: {reason}.",
+        'say from "silence.wav"\n',
+        'say "Hello."\n',
+        "The mouth stays closed while it plays. `silence.wav` is half a second without sound.",
+        files={"silence.wav": _SILENCE},
+        stage="build",
+    ),
+    Entry(
+        "FS523",
+        "viseme-unreadable",
+        Severity.ERROR,
+        "The viseme of `{sound}` cannot be read: {reason}.",
+        'viseme "θ" = smile\n\nsay "Thanks."\n',
+        'viseme "θ" = "s" 80%\n\nsay "Thanks."\n',
+        "A viseme says how the mouth is at a sound: as at another one, at a degree, or with a shape of its own, made "
+        "of the mouth's channels (`mouth.upper 10% + mouth.lower 20% + mouth.tongue 100%`).",
+    ),
+    Entry(
+        "FS524",
+        "viseme-twice",
+        Severity.ERROR,
+        "The sound `{sound}` has a viseme already.",
+        'viseme "θ" = "s"\nviseme "θ" = "f"\n\nsay "Thanks."\n',
+        'viseme "θ" = "s"\nviseme "ð" = "z"\n\nsay "Thanks."\n',
+        "A sound has one shape in a whole film, whichever file says so.",
+    ),
+    Entry(
+        "FS525",
+        "sound-unknown",
+        Severity.HINT,
+        "No mouth shape is known for the sound `{sound}`; the mouth takes a middle one.",
+        'say "Oh."\n',
+        'viseme "ꙮ" = "o"\n\nsay "Oh."\n',
+        "A voice that an author brings, or a file of times, has a sound that the table of visemes does not: a "
+        'definition such as `viseme "ꙮ" = "o"` says what the mouth does. All voices of espeak-ng are in the table.',
+        stage="unforced",
     ),
     Entry(
         "FS535",

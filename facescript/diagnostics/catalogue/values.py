@@ -200,6 +200,7 @@ VALUES: tuple[Entry, ...] = (
         "`{text}` is no language as voices name it, such as `en-us`, `de` or `cmn`.",
         "face ada = woman, voice english\nada: nod\n",
         "face ada = woman, voice en-us\nada: nod\n",
+        'An engine stands behind the language, and its voice in quotes behind the engine: `voice en-us flite "slt"`.',
     ),
     Entry(
         "FS328",

@@ -11,10 +11,15 @@ from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
+from zlib import crc32
 
 from facescript.ir.acts import Glance, Look, Scan
 from facescript.motion.life.stretches import Stretches
 from facescript.schedule.score import TimedAct, TimedLine
+from facescript.speech.mandarin.syllables import PREFIX
+from facescript.speech.model import Spoken
+from facescript.speech.sound.accents import stretches
 
 TURN_GAP = 1.0
 """Seconds of silence that make a new turn."""
@@ -86,10 +91,10 @@ class Occasions:
 
 
 def _named(lines: Iterable[TimedLine]) -> Iterator[tuple[TimedLine, Place]]:
-    """Every line with its text and how often that was said before."""
+    """Every line with its text and how often that was said before; a recording without words by its sound."""
     said: Counter[str] = Counter()
     for line in lines:
-        text = " ".join(word.text for word in line.spoken.words)
+        text = " ".join(word.text for word in line.spoken.words) or f"{crc32(line.spoken.pcm):x}"
         yield line, (text, said[text])
         said[text] += 1
 
@@ -116,10 +121,8 @@ def _pauses(named: Iterable[tuple[TimedLine, Place]]) -> Iterator[Pause]:
 
 def speech(line: TimedLine) -> Iterator[tuple[float, float]]:
     """Where a line sounds, seconds from the film's start: stretches without a pause in them."""
-    phones = [(phone.start, phone.end) for phone in line.spoken.phones if phone.symbol]
-    words = [(word.start, word.end) for word in line.spoken.words]
     begun = ended = None
-    for first, last in phones or words or [(0.0, line.spoken.duration)]:
+    for first, last in _sounding(line.spoken):
         first, last = line.start + first, min(line.start + last, line.end)
         if first >= line.end:
             break
@@ -131,6 +134,16 @@ def speech(line: TimedLine) -> Iterator[tuple[float, float]]:
         ended = last
     if begun is not None and ended is not None:
         yield begun, ended
+
+
+def _sounding(spoken: Spoken) -> Sequence[tuple[float, float]]:
+    """Where a line sounds, s from its start: by its phones, else by its words, else by ear. A shape of Mandarin is held
+    for a part of its syllable only, which sounds until another begins or a silence is told of."""
+    found = []
+    for phone, after in zip_longest(spoken.phones, spoken.phones[1:]):
+        if phone.symbol:
+            found.append((phone.start, after.start if after and phone.symbol.startswith(PREFIX) else phone.end))
+    return found or [(word.start, word.end) for word in spoken.words] or stretches(spoken)
 
 
 def _shifts(acts: Iterable[TimedAct]) -> Iterator[Shift]:

@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass, field
 from facescript.ir.acts import Stretch
 from facescript.speech.espeak.client import Espeak, Sound, Utterance
 from facescript.speech.espeak.manner import Manner
-from facescript.speech.espeak.parts import RATE, Part, phones, trimmed
+from facescript.speech.espeak.parts import RATE, Part, Take, Trim, phones, trimmed, unheard
 from facescript.speech.lines import CLAUSE_ENDS, Piece, Word, is_han, words
 from facescript.speech.model import VoiceFailure
 from facescript.speech.mouth.ipa import letters, mnemonics
@@ -36,15 +36,15 @@ class Sent:
         self.places += [place] * len(text)
 
 
-def speak(espeak: Espeak, piece: Piece, manner: Manner) -> Part:
-    """The piece spoken. Raises `VoiceFailure`."""
+def speak(espeak: Espeak, piece: Piece, manner: Manner, take: Take = unheard) -> Part:
+    """The piece spoken; `take` gets its sound meanwhile. Raises `VoiceFailure`."""
     ssml = any(mark.kind == "stress" for mark in piece.marks)
     spelt = {mark: ipa_of(mark) for mark in piece.marks if mark.kind == "reading"}
     sounds = {mark: ipa for mark, ipa in spelt.items() if ipa is not None}
     _check_kanji(piece, manner)
     sent = _sent(piece, ssml)
-    text = "".join(sent.text)
-    sound = espeak.speak(Utterance(text, **asdict(manner), ssml=ssml, phonemes=bool(sounds)))
+    text, trim = "".join(sent.text), Trim(take)
+    sound = espeak.speak(Utterance(text, **asdict(manner), ssml=ssml, phonemes=bool(sounds)), trim)
     heard = phones(sound)
     for mark, ipa in sounds.items():
         _check_said(sound, sent, piece, mark, ipa)
@@ -52,7 +52,9 @@ def speak(espeak: Espeak, piece: Piece, manner: Manner) -> Part:
     if not sounding:
         raise VoiceFailure(f"this voice has no sound for `{piece.text.strip()}`", "FS503")
     part = Part(sound.pcm, word_times(piece, _begun(words(piece.text), sent, sound), heard), heard)
-    return trimmed(part, (sounding[0].start, sounding[-1].end))
+    part = trimmed(part, (sounding[0].start, sounding[-1].end))
+    trim.finish(part)
+    return part
 
 
 def _sent(piece: Piece, ssml: bool) -> Sent:

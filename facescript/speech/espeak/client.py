@@ -1,27 +1,18 @@
-"""Texts to sound and events by the espeak-ng worker: starts the program once, speaks to it by pipe, bounds its time."""
+"""Texts to sound and events by the espeak-ng worker."""
 
 from __future__ import annotations
 
-import atexit
-import json
-import os
-import struct
-import subprocess
-import sys
-import threading
-from contextlib import suppress
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from facescript.speech.model import VoiceFailure
+from facescript.speech.voices.process import Answer, Worker
 
 WORKER = Path(__file__).with_name("worker.py")
-SECONDS = 40.0
-"""A request that takes longer ends the worker; the worker's own watchdog is shorter."""
-
-LONGEST_ANSWER = 1 << 28
-"""Bytes of one frame: 100 minutes of sound."""
+SECONDS = 25.0
+"""A part of an answer that takes longer ends the worker; what it leaves behind ends by its own watchdog, later."""
 
 LONGEST_TEXT = 200_000
 """Characters of one utterance, tags included."""
@@ -66,104 +57,28 @@ class Espeak:
     """The worker, started when first asked. Every method raises `VoiceFailure` where it cannot answer."""
 
     def __init__(self, worker: Path = WORKER, seconds: float = SECONDS) -> None:
-        self._worker, self._seconds = worker, seconds
-        self._process: subprocess.Popen[bytes] | None = None
-        self._owner = 0
-        self._lock = threading.Lock()
+        self._worker = Worker(worker, seconds)
 
-    def speak(self, utterance: Utterance) -> Sound:
-        """The sound of a text, the same bytes every time."""
+    def speak(self, utterance: Utterance, take: Callable[[Sound], None] = lambda stretch: None) -> Sound:
+        """The sound of a text, the same bytes every time; `take` gets it in stretches, as it is made."""
         if len(utterance.text) > LONGEST_TEXT:
             raise VoiceFailure(f"it takes at most {LONGEST_TEXT} characters at a time")
-        head, pcm = self._ask({"do": "speak", **asdict(utterance)})
-        return Sound(pcm, int(head["rate"]), tuple(Heard(*event) for event in head["events"]))
+        stretches: list[Sound] = []
+
+        def heard(part: Answer) -> None:
+            stretches.append(Sound(part[1], int(part[0]["rate"]), tuple(Heard(*event) for event in part[0]["events"])))
+            take(stretches[-1])
+
+        self._worker.ask({"do": "speak", **asdict(utterance)}, heard)
+        events = tuple(event for stretch in stretches for event in stretch.events)
+        return Sound(b"".join(stretch.pcm for stretch in stretches), stretches[0].rate, events)
 
     def voices(self) -> dict[str, Any]:
         """`voices` (name, identifier, languages with priority) and `variants` (name, identifier, gender)."""
-        return self._ask({"do": "voices"})[0]
+        answers: list[Answer] = []
+        self._worker.ask({"do": "voices"}, answers.append)
+        return answers[0][0]
 
     def close(self) -> None:
         """End the worker; the next question starts another."""
-        process, self._process = self._process, None
-        if process is None or self._owner != os.getpid():
-            return
-        for pipe in (process.stdin, process.stdout):
-            if pipe is not None:
-                with suppress(OSError):  # what a dead worker has not read cannot be written any more
-                    pipe.close()
-        try:
-            process.wait(timeout=2)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-
-    def _ask(self, request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
-        with self._lock:
-            process = self._running()
-            late = threading.Event()
-            clock = threading.Timer(self._seconds, _end, (process, late))
-            clock.daemon = True  # an interrupt before it is cancelled must not keep the program waiting
-            clock.start()
-            try:
-                head, pcm = _exchange(process, request)
-            except (OSError, ValueError, EOFError):
-                self.close()
-                raise VoiceFailure(_broken(late.is_set(), self._seconds)) from None
-            finally:
-                clock.cancel()
-        if "failure" in head:
-            raise VoiceFailure(head["failure"])
-        return head, pcm
-
-    def _running(self) -> subprocess.Popen[bytes]:
-        """The worker of this process: a fork's child must not share its parent's pipe."""
-        if self._process is not None and self._owner == os.getpid() and self._process.poll() is None:
-            return self._process
-        self.close()
-        try:
-            self._process = subprocess.Popen(
-                [sys.executable, "-P", str(self._worker)],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
-            )
-        except OSError as fault:
-            raise VoiceFailure(f"it cannot be started: {fault.strerror}") from None
-        self._owner = os.getpid()
-        atexit.unregister(self.close)
-        atexit.register(self.close)
-        return self._process
-
-
-def _end(process: subprocess.Popen[bytes], late: threading.Event) -> None:
-    late.set()
-    process.kill()
-
-
-def _exchange(process: subprocess.Popen[bytes], request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
-    assert process.stdin is not None
-    assert process.stdout is not None
-    body = json.dumps(request).encode()
-    process.stdin.write(struct.pack(">I", len(body)) + body)
-    process.stdin.flush()
-    return json.loads(_frame(process.stdout)), _frame(process.stdout)
-
-
-def _frame(stream: IO[bytes]) -> bytes:
-    size = struct.unpack(">I", _exactly(stream, 4))[0]
-    if size > LONGEST_ANSWER:
-        raise ValueError("a frame too long")
-    return _exactly(stream, size)
-
-
-def _exactly(stream: IO[bytes], size: int) -> bytes:
-    data = stream.read(size)
-    if len(data) < size:
-        raise EOFError
-    return data
-
-
-def _broken(late: bool, seconds: float) -> str:
-    if late:
-        return f"it did not answer within {seconds:g} s"
-    return "it broke off"
+        self._worker.close()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from facescript.ir.acts import Say, Voice
 from facescript.speech.espeak.manner import MANDARIN
@@ -18,6 +18,11 @@ class EspeakEngine:
         from facescript.speech.espeak.voicebox import process_voice  # `check` makes this engine and never speaks
 
         return process_voice().speak(line)
+
+    def speak_aloud(self, line: Say, take: Callable[[bytes], None]) -> Spoken:
+        from facescript.speech.espeak.voicebox import process_voice
+
+        return process_voice().speak(line, take)
 
     def identity(self, voice: Voice) -> str:
         packages = ("espeakng_loader", "pypinyin") if voice.language.lower() in MANDARIN else ("espeakng_loader",)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import zip_longest
 
@@ -22,6 +22,13 @@ full, 17 to 31 ms after the lips have parted (bar L2, a vowel inside an utteranc
 
 BYTES = 2
 
+Take = Callable[[bytes], None]
+"""Gets the sound of a line in order, in stretches, while the line is being spoken."""
+
+
+def unheard(pcm: bytes) -> None:
+    """What takes the sound of a line that nobody waits for."""
+
 
 @dataclass(frozen=True, slots=True)
 class Part:
@@ -35,6 +42,42 @@ class Part:
     @property
     def duration(self) -> float:
         return len(self.pcm) / BYTES / self.rate
+
+
+class Trim:
+    """Hands on the sound of an utterance while it is made, cut as `trimmed` cuts it: the same bytes."""
+
+    def __init__(self, take: Take) -> None:
+        self._take = take
+        self._sound = bytearray()
+        self._first: int | None = None
+        self._sure = self._given = 0
+        self._before: Heard | None = None
+
+    def __call__(self, stretch: Sound) -> None:
+        """Take in the next stretch, and hand on what lies before the last phone that is heard: that is sure to stay."""
+        self._sound += stretch.pcm
+        for event in stretch.events:
+            if event.kind == "phone":
+                self._begin(event)
+        if self._first is not None:
+            self._hand_on(self._sound[self._first + self._given : self._sure])
+
+    def finish(self, part: Part) -> None:
+        """Hand on the rest of what has become `part`."""
+        self._hand_on(part.pcm[self._given :])
+
+    def _begin(self, event: Heard) -> None:
+        before, self._before = self._before, event
+        if self._first is None and before and _symbol(before) and event.sample > before.sample:
+            self._first = BYTES * _first_sample(before.sample / RATE, RATE)
+        if _symbol(event):
+            self._sure = BYTES * event.sample
+
+    def _hand_on(self, pcm: bytes | bytearray) -> None:
+        if pcm:
+            self._given += len(pcm)
+            self._take(bytes(pcm))
 
 
 def phones(sound: Sound) -> tuple[PhoneTime, ...]:
@@ -65,13 +108,16 @@ def _parting(found: Sequence[PhoneTime]) -> Iterator[PhoneTime]:
 
 
 def _phone(event: Heard, end: float) -> PhoneTime:
-    plain = "" if event.symbol.startswith("(") else event.symbol.replace("ˈ", "").replace("ˌ", "")
-    return PhoneTime(plain, event.sample / RATE, end, "ˈ" in event.symbol)
+    return PhoneTime(_symbol(event), event.sample / RATE, end, "ˈ" in event.symbol)
+
+
+def _symbol(event: Heard) -> str:
+    return "" if event.symbol.startswith("(") else event.symbol.replace("ˈ", "").replace("ˌ", "")
 
 
 def trimmed(part: Part, sounding: tuple[float, float]) -> Part:
     """The part without the quiet beyond `LEAD` and `TAIL` around `sounding`, the stretch in which there is sound."""
-    first = round(max(sounding[0] - LEAD, 0) * part.rate)
+    first = _first_sample(sounding[0], part.rate)
     last = min(round((sounding[1] + TAIL) * part.rate), len(part.pcm) // BYTES)
     moved = shifted(part, -first / part.rate)
     total = (last - first) / part.rate
@@ -80,6 +126,11 @@ def trimmed(part: Part, sounding: tuple[float, float]) -> Part:
     return Part(
         part.pcm[BYTES * first : BYTES * last], tuple(words), tuple(p for p in kept if p.end > p.start), part.rate
     )
+
+
+def _first_sample(sounding: float, rate: int) -> int:
+    """The sample at which a part begins whose first sound is at `sounding` seconds."""
+    return round(max(sounding - LEAD, 0) * rate)
 
 
 def _inside(time: float, total: float) -> float:

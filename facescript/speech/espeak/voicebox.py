@@ -9,9 +9,9 @@ from facescript.speech.espeak import alphabetic, mandarin
 from facescript.speech.espeak.client import Espeak
 from facescript.speech.espeak.engine import EspeakEngine
 from facescript.speech.espeak.manner import MANDARIN, Voices, voices
-from facescript.speech.espeak.parts import Part, joined, spoken
+from facescript.speech.espeak.parts import Part, Take, joined, spoken, unheard
 from facescript.speech.lines import Piece, pieces
-from facescript.speech.model import Spoken, VoiceBox
+from facescript.speech.model import Spoken
 from facescript.speech.readings import check_readings
 from facescript.speech.voices.kept import KeptVoice
 
@@ -23,11 +23,12 @@ class EspeakVoice:
         self._espeak = espeak
         self._voices: Voices | None = None
 
-    def speak(self, line: Say) -> Spoken:
+    def speak(self, line: Say, take: Take = unheard) -> Spoken:
+        """The line spoken; `take` gets its sound while it is made."""
         found = pieces(line)
         check_readings(line)
         self.voices().manner(line.voice)
-        return spoken(joined([part if isinstance(part, float) else self._piece(line, part) for part in found]))
+        return spoken(joined([self._part(line, part, take) for part in found]))
 
     def voices(self) -> Voices:
         """All voices. Raises `VoiceFailure` where the synthesiser cannot run."""
@@ -41,11 +42,14 @@ class EspeakVoice:
         variants = sorted(set(found.variants.values()), key=str.lower)
         return (*sorted(found.titles.items()), *((name, "variant") for name in ("female", "male", *variants)))
 
-    def _piece(self, line: Say, piece: Piece) -> Part:
-        manner = self.voices().manner(line.voice)
+    def _part(self, line: Say, part: Piece | float, take: Take) -> Part:
+        if isinstance(part, float):
+            pause = joined([part])
+            take(pause.pcm)
+            return pause
         if line.voice.language.lower() in MANDARIN:
-            return mandarin.speak(self._espeak, piece, line.text, self.voices(), line.voice)
-        return alphabetic.speak(self._espeak, piece, manner)
+            return mandarin.speak(self._espeak, part, line.text, self.voices(), line.voice, take)
+        return alphabetic.speak(self._espeak, part, self.voices().manner(line.voice), take)
 
 
 @cache
@@ -55,11 +59,6 @@ def process_voice() -> EspeakVoice:
 
 
 @cache
-def open_voice() -> VoiceBox:
+def open_voice() -> KeptVoice:
     """The usual voice: espeak-ng, and what it has spoken before."""
     return KeptVoice(EspeakEngine())
-
-
-def list_voices() -> tuple[tuple[str, str], ...]:
-    """What `voice CODE VARIANT` takes, each with what it is."""
-    return process_voice().listed()

@@ -7,16 +7,17 @@ A frame is a length (4 bytes, big-endian) and that many bytes. A request is one 
     {"do": "speak", "text": ..., "voice": ..., "rate": words a minute, "pitch": 0..100, "range": 0..100,
      "ssml": bool, "phonemes": bool}
 
-An answer is a frame of JSON and a frame of sound (16-bit little-endian mono, empty for voices):
+An answer is a frame of JSON and a frame of sound (16-bit little-endian mono, empty for voices); for a text, a pair for
+each stretch of sound, all but the last with `more`. Samples count from the start of the text.
 
     {"voices": [[name, identifier, [[priority, language], ...]], ...], "variants": [[name, identifier, gender], ...]}
-    {"rate": Hz, "events": [["word"|"phone", sample, character from 0, IPA], ...]}
+    {"rate": Hz, "events": [["word"|"phone", sample, character from 0, IPA], ...], "more": bool}
     {"failure": sentence}
 
 espeak-ng seeds the noise in its voice with the time and carries it from one utterance into the next, so the seed is set
 and each utterance gets a library that has not spoken: a fork of this process where there is fork, else the library is
-loaded again. A watchdog ends an utterance that hangs. The program
-ends with its standard input.
+loaded again. A watchdog ends an utterance that hangs. The program ends with its standard input, and where an utterance
+breaks off: who asked starts it again.
 """
 
 from __future__ import annotations
@@ -44,9 +45,14 @@ SEED = 1
 """Of the breath in the voice: espeak-ng seeds itself with the time of day."""
 
 SECONDS = 30.0
-"""An utterance that takes longer is broken off."""
+"""An utterance that takes longer is broken off: later than who asked has given up and ended this program."""
+
+STRETCH = 88_200
+"""Bytes of sound, two seconds, that are sent at once: at first whatever there is, then as much as was sent before."""
 
 Answer = tuple[dict[str, Any], bytes]
+Reply = Callable[[bytes], Any]
+"""Takes what is sent: whole pairs of frames."""
 
 
 class Event(ctypes.Structure):
@@ -95,6 +101,8 @@ class Espeak:
         if self.rate <= 0:
             raise OSError("espeak-ng cannot read its data")
         self.library.espeak_ng_SetRandSeed(ctypes.c_long(SEED))
+        self.reply: Reply = bytes
+        self.sent = 0
         self.sound = bytearray()
         self.events: list[tuple[str, int, int, str]] = []
         self.callback = CALLBACK(self.heard)
@@ -114,7 +122,16 @@ class Espeak:
             elif event.type == PHONE:
                 self.events.append(("phone", event.sample, place, event.id.decode("utf-8", "ignore")))
             index += 1
+        if self.sound and len(self.sound) >= min(self.sent, STRETCH):
+            self.send(more=True)
         return 0
+
+    def send(self, more: bool) -> None:
+        """Send the sound and the events since the last time."""
+        self.reply(packed(({"rate": self.rate, "events": self.events, "more": more}, bytes(self.sound))))
+        self.sent += len(self.sound)
+        self.sound.clear()
+        self.events.clear()
 
     def speak(self, request: dict[str, Any]) -> Answer:
         if self.library.espeak_SetVoiceByName(request["voice"].encode()) != 0:
@@ -167,49 +184,45 @@ def packed(answer: Answer) -> bytes:
     return struct.pack(">I", len(head)) + head + struct.pack(">I", len(answer[1])) + answer[1]
 
 
-def watched(espeak: Espeak, request: dict[str, Any]) -> bytes:
-    """The answer to a request; a hang ends the process."""
+def watched(espeak: Espeak, request: dict[str, Any], reply: Reply) -> None:
+    """Send the answer to a request; a hang ends the process."""
     with open(os.devnull, "w") as nowhere:
         faulthandler.dump_traceback_later(SECONDS, exit=True, file=nowhere)
-        answer = packed(espeak.answer(request))
+        espeak.reply = reply
+        reply(packed(espeak.answer(request)))
         faulthandler.cancel_dump_traceback_later()
-    return answer
 
 
-def forked(espeak: Espeak, request: dict[str, Any]) -> bytes:
-    """The answer from a copy of this process that has never spoken."""
-    reading, writing = os.pipe()
+def forked(espeak: Espeak, request: dict[str, Any], reply: Reply) -> None:
+    """Send the answer from a copy of this process that has never spoken."""
     child = os.fork()
     if child == 0:
+        status = 1
         try:
-            with os.fdopen(writing, "wb") as pipe:
-                pipe.write(watched(espeak, request))
+            watched(espeak, request, reply)
+            status = 0
         finally:
-            os._exit(0)
-    os.close(writing)
-    with os.fdopen(reading, "rb") as pipe:
-        answer = pipe.read()
-    os.waitpid(child, 0)
-    return answer or packed(({"failure": "espeak-ng broke off in this text"}, b""))
+            os._exit(status)
+    if os.waitpid(child, 0)[1] != 0:
+        sys.exit(1)
 
 
-def reloaded(request: dict[str, Any]) -> bytes:
-    """The answer from a library loaded for it."""
+def reloaded(request: dict[str, Any], reply: Reply) -> None:
+    """Send the answer from a library loaded for it."""
     espeak = Espeak()
-    answer = watched(espeak, request)
+    watched(espeak, request, reply)
     espeak.close()
-    return answer
 
 
-def opened() -> Callable[[dict[str, Any]], bytes]:
+def opened() -> Callable[[dict[str, Any], Reply], Any]:
     """What answers requests; where the library cannot be loaded, it says so."""
     try:
         espeak = Espeak()
     except (ImportError, OSError) as fault:
         sorry = packed(({"failure": f"espeak-ng cannot be loaded: {fault}"}, b""))
-        return lambda request: sorry
+        return lambda request, reply: reply(sorry)
     if hasattr(os, "fork"):
-        return lambda request: forked(espeak, request)
+        return lambda request, reply: forked(espeak, request, reply)
     espeak.close()
     return reloaded
 
@@ -226,12 +239,18 @@ def requests(stream: IO[bytes]) -> Iterator[dict[str, Any]]:
 def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     nowhere = os.open(os.devnull, os.O_WRONLY)
-    replies = os.fdopen(os.dup(1), "wb")
+    replies = os.fdopen(os.dup(1), "wb", buffering=0)
     os.dup2(nowhere, 1)  # what the library prints must not stand among the answers
     answered = opened()
     for request in requests(sys.stdin.buffer):
-        replies.write(answered(request))
-        replies.flush()
+        answered(request, lambda pair: write(replies, pair))
+
+
+def write(replies: IO[bytes], pair: bytes) -> None:
+    """Write all of it: without a buffer, a pipe may take a part at a time."""
+    rest = memoryview(pair)
+    while rest:
+        rest = rest[replies.write(rest) :]
 
 
 if __name__ == "__main__":

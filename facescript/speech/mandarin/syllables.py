@@ -106,6 +106,7 @@ def numbered(syllable: str) -> str:
     tone = "".join(TONES[sign] for sign in apart if sign in TONES)
     base = "".join(sign for sign in apart if sign not in TONES).replace("u\u0308", "v").replace("u:", "v")
     base = base.replace("e\u0302", "ê")
+    base = base.replace("nue", "nve").replace("lue", "lve")
     if base[-1:] == "0":
         base = base[:-1] + "5"
     if not tone and base[-1:] not in tuple("12345"):

@@ -40,8 +40,8 @@ UNSTRESSED = 0.8
 """Degree of a vowel without stress beside a stressed one."""
 
 WHOLE, LEAST_REACH = 0.08, 0.5
-"""Seconds of a vowel from which on it is reached as a whole, and the least that is left of a shorter one: in fast speech
-only closures are reached."""
+"""Seconds of a vowel from which on it is reached as a whole, and the least that is left of a shorter one: in fast
+speech only closures are reached."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,18 +159,17 @@ def _consonant(viseme: Viseme, start: float, length: float, closing: float, effo
     if name == "m":
         return MouthShape("m", start, end)
     if name == "f":
-        return MouthShape(
-            "f", start + 0.1 * length, end - 0.3 * length, slack=0.3 * length, yields=0.3 * length, trim=0.1 * length
-        )
+        late = 0.3 * length
+        return MouthShape("f", start + 0.1 * length, end - late, slack=late, yields=late, trim=0.1 * length)
     if viseme.kind == "stop":
         return MouthShape(name, start - GAP, start, degree, effort=effort, own=own)
     return MouthShape(name, start + 0.1 * length, end - 0.3 * length, degree, effort=effort, own=own)
 
 
 def _falls_away(viseme: Viseme, after: PhoneTime | None, table: Table) -> bool:
-    """The thesis's rule for h' and h (section 5.2.2): they leave no shape before i, u, e and o. Where the tongue is seen,
-    as for l and n, it stays."""
-    quick = (viseme.kind == "stop" and viseme.shape == "h'") or (viseme.kind != "vowel" and viseme.shape == "h")
+    """The thesis's rule for h' and h (section 5.2.2): they leave no shape before i, u, e and o. Where the tongue is
+    seen, as for l and n, it stays."""
+    quick = viseme.kind == "stop" if viseme.shape == "h'" else viseme.kind != "vowel" and viseme.shape == "h"
     if not quick or not after or not after.symbol:
         return False
     found = table.visemes(after.symbol)

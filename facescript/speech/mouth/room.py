@@ -65,27 +65,26 @@ def _made_room(last: MouthShape, shape: MouthShape, earlier: float) -> tuple[Mou
     """The two shapes far enough apart, or None; `earlier` is when the one before them ends."""
     if last.closed and shape.closed:
         return _touching(last, shape)
-    least = max(last.off - last.trim, last.on) if last.closed else last.on
-    latest = shape.on + shape.slack if shape.closed else shape.off + GAP
+    least = max(last.off - max(last.trim, 0.0), last.on) if last.closed else last.on
+    latest = shape.on + max(shape.slack, 0.0) if shape.closed else shape.off + GAP
     for off, on in ((last.off, shape.on), (least, shape.on), (last.off, latest), (least, latest)):
         if off + GAP <= on:
             on = max(shape.on, off + GAP)
-            return replace(last, off=max(last.on, min(last.off, on - GAP))), replace(
-                shape, on=on, off=max(shape.off, on)
-            )
+            return last.ended(max(last.on, min(last.off, on - GAP))), shape.begun(on)
     moved = latest - GAP
     if not last.closed and earlier + GAP <= moved:
-        return replace(last, on=moved, off=moved), replace(shape, on=latest, off=max(shape.off, latest))
+        return replace(last, on=moved, off=moved), shape.begun(latest)
     return None
 
 
 def _touching(last: MouthShape, shape: MouthShape) -> tuple[MouthShape, MouthShape] | None:
     """Two closures: each stands where it must, and as long as the other lets it."""
-    least, latest = max(last.off - last.trim, last.on), min(shape.on + shape.yields, shape.off)
+    least = max(last.off - max(last.trim, 0.0), last.on)
+    latest = min(shape.on + max(shape.yields, 0.0), shape.off)
     if latest - least < TOUCH:
         return None
     on = min(max(shape.on, least + TOUCH), latest)
-    return replace(last, off=min(last.off, on - TOUCH)), replace(shape, on=on, off=max(shape.off, on))
+    return last.ended(min(last.off, on - TOUCH)), shape.begun(on)
 
 
 def _rank(shape: MouthShape) -> int:

@@ -28,9 +28,9 @@ WIDEST_JAW = 1.0
 class MouthShape:
     """A shape of `visemes.SHAPES`, or of an author (`own`), at a degree, fully there from `on` to `off` (seconds).
 
-    Before `on` the mouth comes from the shape before, after `off` it goes to the next. For a closure's sake `on` may come
-    `slack` seconds later, beside another one `yields` later, and `off` `trim` earlier. `effort` is how far the jaw goes, 1 as usual. A `vowel` holds every axis; a consonant
-    leaves some to it, unless it is `exact`.
+    Before `on` the mouth comes from the shape before, after `off` it goes to the next. Of a closure, `on` may come
+    `slack` seconds later, beside another one `yields` later, and `off` `trim` earlier. `effort` is how far the jaw
+    goes, 1 as usual. A `vowel` holds every axis; a consonant leaves some to it, unless it is `exact`.
     """
 
     name: str
@@ -49,6 +49,15 @@ class MouthShape:
         """The shape moved by `seconds`, no longer there at `limit`."""
         return replace(self, on=self.on + seconds, off=min(self.off + seconds, limit))
 
+    def begun(self, on: float) -> MouthShape:
+        """The shape there from `on` at the earliest."""
+        less = on - self.on
+        return replace(self, on=on, off=max(self.off, on), slack=self.slack - less, yields=self.yields - less)
+
+    def ended(self, off: float) -> MouthShape:
+        """The shape there up to `off`."""
+        return replace(self, off=off, trim=self.trim - (self.off - off))
+
     @property
     def closed(self) -> bool:
         return self.name in CLOSED
@@ -64,7 +73,7 @@ class MouthShape:
         opened, wide, rounded, upper, lower, jaw, teeth, tongue = self.own or SHAPES[self.name]
         further = self.degree * self.effort
         sunk = lower * (further if lower > 0.0 else self.degree)
-        gap = max(self.degree * opened + sunk - self.degree * lower, 0.0)
+        gap = max(self.degree * opened + (sunk - self.degree * lower), 0.0)
         moved = min(further * jaw, WIDEST_JAW)
         return gap, self.degree * wide, self.degree * rounded, self.degree * upper, sunk, moved, teeth, tongue
 

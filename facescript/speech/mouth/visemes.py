@@ -9,8 +9,11 @@ from types import MappingProxyType
 from facescript.speech.mandarin.syllables import PREFIX
 from facescript.speech.mouth.ipa import LENGTH, letters
 
+PARTS = ("open", "wide", "round", "upper", "lower", "jaw", "teeth", "tongue")
+"""The mouth's channels, in their order and units."""
+
 Values = tuple[float, float, float, float, float, float, float, float]
-"""open, wide, round, upper, lower, jaw, teeth, tongue: the order and units of the mouth's channels."""
+"""One shape's value of each of `PARTS`."""
 
 LOWER_LIP = 0.4
 """Height of the lower lip in MNS0 (mouth to nose): the thesis measures shape f in lip heights."""
@@ -64,27 +67,27 @@ def _class(signs: str, shape: str, kind: str, degree: float = 1.0) -> dict[str, 
 VISEMES: MappingProxyType[str, Viseme] = MappingProxyType(
     _class("p b ɓ ʘ", "m", "stop")
     | _class("m", "m", "sound")
-    | _class("f v ɱ ʋ", "f", "sound")
-    | _class("ɸ β", "u", "sound", 0.4)
-    | _class("t d ɗ ʈ ɖ ǀ ǃ ɾ ɽ", "h'", "stop", 0.7)
+    | _class("f v ɱ ʋ ⱱ", "f", "sound")
+    | _class("ɸ β ʙ", "u", "sound", 0.4)
+    | _class("t d ɗ ʈ ɖ ǀ ǃ ǁ ǂ ɾ ɽ", "h'", "stop", 0.7)
     | _class("n l ɳ ɭ ɫ ɬ ɮ ɲ ʎ ɺ", "h'", "sound", 0.85)
-    | _class("r ɕ ʑ ç ʝ", "h'", "sound", 0.7)
-    | _class("c ɟ", "h'", "stop", 0.7)
-    | _class("k g ɡ ɠ q ɢ ʔ", "h", "stop", 0.6)
-    | _class("x ɣ ŋ h ɦ χ ʁ ʀ ħ ʕ ɴ ɰ", "h", "sound", 0.6)
-    | _class("ʃ ʒ ɹ ɻ ʂ ʐ ɧ", "r", "sound")
-    | _class("s z", "z", "sound")
+    | _class("r ɕ ʑ ç ʝ ʨ ʥ", "h'", "sound", 0.7)
+    | _class("c ɟ ʄ", "h'", "stop", 0.7)
+    | _class("k g ɡ ɠ q ɢ ʛ ʔ ʡ", "h", "stop", 0.6)
+    | _class("x X ɣ ŋ h ɦ χ ʁ ʀ ħ ʕ ʜ ʢ ɴ ɰ ʟ", "h", "sound", 0.6)
+    | _class("ʃ ʒ S Z ʧ ʤ ɹ ɻ ʂ ʐ ɧ", "r", "sound")
+    | _class("s z ʦ ʣ", "z", "sound")
     | _class("θ ð", "th", "sound")
     | _class("w ʍ ɥ", "u", "sound")
     | _class("j", "i", "sound")
-    | _class("a ɑ ɶ", "a", "vowel")
+    | _class("a ɑ A ɶ", "a", "vowel")
     | _class("æ ɐ ʌ", "a", "vowel", 0.75)
     | _class("e ɛ", "e", "vowel")
-    | _class("i ɪ ɨ", "i", "vowel")
+    | _class("i ɪ ɨ ᵻ", "i", "vowel")
     | _class("ɯ", "i", "vowel", 0.7)
     | _class("o ɔ ɒ", "o", "vowel")
     | _class("ø œ ɵ ɞ", "o", "vowel", 0.85)
-    | _class("u ʊ y ʏ ʉ", "u", "vowel")
+    | _class("u ʊ y ʏ ʉ ᵿ", "u", "vowel")
     | _class("ɤ ɜ ɝ ɚ", "h", "vowel", 0.9)
     | _class("ə ɘ", "h", "vowel", 0.6)
 )

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from facescript.speech.model import Spoken
-from facescript.speech.sound.prosody import HOP, Floats, Prosody, prosody
+from facescript.speech.model import PhoneTime, Spoken
+from facescript.speech.sound.prosody import HOP, QUIET, Floats, Prosody, prosody
 
 SEMITONES, DECIBELS = 4.0, 8.0
 """How far F0 and energy are above their surroundings where a syllable has a prominence of 1 by each alone (ours)."""
@@ -31,6 +32,12 @@ LEAST = 0.5
 
 SYLLABLE = 0.12
 """Seconds around an accent in which it stands alone: half a long syllable."""
+
+EMPHASIS = 1.0
+"""The prominence that a word stressed in the text has besides: it is an accent, whoever speaks it (ours)."""
+
+BREAK = 0.12
+"""Seconds of silence that end a stretch of sound: shorter ones are closures of the consonants."""
 
 UNHEARD = 0.5
 """The strength of a stressed phone in a line without sound."""
@@ -76,7 +83,7 @@ def accents(spoken: Spoken, sound: Prosody) -> tuple[Accent, ...]:
     if not len(sound.f0):
         stressed = (phone for phone in spoken.phones if phone.stress)
         return tuple(Accent((phone.start + phone.end) / 2.0, UNHEARD) for phone in stressed)
-    return tuple(_standing_out(tuple(_peaks(spoken, prominence(sound)))))
+    return tuple(_standing_out(tuple(_peaks(spoken, sound))))
 
 
 def prominence(found: Prosody) -> Floats:
@@ -119,12 +126,51 @@ def _surroundings(values: Floats, weights: Floats, deviation: float = AROUND) ->
     return mean
 
 
-def _peaks(spoken: Spoken, rise: Floats) -> Iterator[Accent]:
-    """The most prominent frame of every phone; its strength is the prominence."""
-    for phone in spoken.phones:
+def stretches(spoken: Spoken) -> tuple[tuple[float, float], ...]:
+    """Where a line sounds, by ear: seconds from its start to and from what is as quiet as silence for `BREAK` s; the
+    whole line where there is no sound to be heard."""
+    return _loud(heard(spoken).prosody, spoken.duration)
+
+
+def _loud(sound: Prosody, duration: float) -> tuple[tuple[float, float], ...]:
+    level = sound.energy
+    loud = np.flatnonzero(level > max(level.max(initial=QUIET) - RANGE, QUIET))
+    if not len(loud):
+        return ((0.0, duration),)
+    parts = np.split(loud, np.flatnonzero(np.diff(loud) > BREAK / HOP) + 1)
+    return tuple((float(part[0]) * HOP, min(float(part[-1] + 1) * HOP, duration)) for part in parts)
+
+
+def _syllables(spoken: Spoken, sound: Prosody) -> Iterator[PhoneTime]:
+    """The phones of a line that sound; where nobody knows them, pieces of its sound as long as half a syllable."""
+    phones = [phone for phone in spoken.phones if phone.symbol]
+    if phones:
+        yield from phones
+        return
+    for start, end in _loud(sound, spoken.duration):
+        count = max(round((end - start) / SYLLABLE), 1)
+        edges = np.linspace(start, end, count + 1)
+        yield from (PhoneTime("?", float(a), float(b)) for a, b in pairwise(edges))
+
+
+def _peaks(spoken: Spoken, sound: Prosody) -> Iterator[Accent]:
+    """The most prominent frame of every phone; its strength is the prominence, and at least `EMPHASIS` once in a word
+    that the text stresses."""
+    found = list(_phone_peaks(spoken, sound))
+    for word in spoken.words:
+        inside = [place for place, one in enumerate(found) if word.start <= one.time < word.end]
+        if word.stress and inside:
+            place = max(inside, key=lambda each: found[each].strength)
+            found[place] = replace(found[place], strength=max(found[place].strength, 0.0) + EMPHASIS)
+    return iter(found)
+
+
+def _phone_peaks(spoken: Spoken, sound: Prosody) -> Iterator[Accent]:
+    rise = prominence(sound)
+    for phone in _syllables(spoken, sound):
         first, last = round(phone.start / HOP), max(round(phone.end / HOP), round(phone.start / HOP) + 1)
         part = rise[first:last]
-        if phone.symbol and len(part):
+        if len(part):
             place = int(part.argmax())
             yield Accent((first + place) * HOP, float(part[place]) + STRESSED * phone.stress)
 

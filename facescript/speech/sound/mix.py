@@ -99,20 +99,20 @@ class Soundtrack:
 
 def soundtrack(score: Lines) -> Soundtrack:
     """The sound of all lines, as long as the score."""
-    most = max((line.spoken.rate for line in score.lines if line.spoken.pcm), default=0)
+    most = max((line.spoken.rate for line in score.lines if line.spoken.sound), default=0)
     rate = next((rate for rate in RATES if rate >= most), RATES[-1])
     return Soundtrack(score.lines, rate, 0, round(score.duration * rate))
 
 
 def _lay(block: Floats, line: Line, first: int, rate: int) -> None:
     """Add what falls of one line, at its time and volume and up to its cut, into the block that starts at `first`."""
-    sound = np.frombuffer(line.spoken.pcm, dtype="<i2")
     begin = round(line.start * rate) - first
-    length = resampled_length(len(sound), line.spoken.rate, rate)
+    length = resampled_length(len(line.spoken.sound) // 2, line.spoken.rate, rate)
     until = length if line.cut is None else min(max(round((line.cut - line.start) * rate), 0), length)
     start, end = max(begin, 0), min(begin + until, len(block))
     if end <= start:
         return
+    sound = np.frombuffer(line.spoken.pcm, dtype="<i2")
     part = _samples(sound, line.spoken.rate, rate, start - begin, end - begin) * np.float32(line.volume)
     if line.cut is not None:
         part *= _fading(until, rate, start - begin, end - begin)

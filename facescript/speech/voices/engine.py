@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from facescript.ir.acts import Say, Voice
 from facescript.speech.model import Spoken
@@ -27,6 +27,15 @@ class Engine(Protocol):
 
     def voices(self) -> Iterable[tuple[str, str]]:
         """What may stand behind the engine's name, each with what it is. Raises `VoiceFailure`."""
+        ...
+
+
+@runtime_checkable
+class Prompt(Protocol):
+    """An engine that is heard before it has spoken the whole line."""
+
+    def speak_aloud(self, line: Say, take: Callable[[bytes], None]) -> Spoken:
+        """The line spoken; `take` gets its sound in stretches while it is made, each byte once."""
         ...
 
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections import OrderedDict
+from collections.abc import Callable
 from dataclasses import replace
 from threading import Lock
 
 from facescript.ir.acts import Say
 from facescript.speech.model import Spoken
 from facescript.speech.voices import store
-from facescript.speech.voices.engine import Engine
+from facescript.speech.voices.engine import Engine, Prompt
 
 LARGEST = 64 * 1024 * 1024
 """Bytes of sound kept in memory; what was used longest ago goes first."""
@@ -22,31 +24,48 @@ class KeptVoice:
         self._engine = engine
         self._kept: OrderedDict[object, Spoken] = OrderedDict()
         self._size = 0
-        self._lock = Lock()
+        self._locks: dict[int, Lock] = {}
 
     def speak(self, line: Say) -> Spoken:
+        return self._spoken(line, self._engine.speak)[0]
+
+    def speak_aloud(self, line: Say, take: Callable[[bytes], None]) -> Spoken:
+        """The line spoken; `take` gets its sound in stretches, the first as soon as there is any: a face that is to
+        answer somebody cannot wait for the whole line. `take` must not ask this voice for another line."""
+        if isinstance(self._engine, Prompt):
+            engine = self._engine
+            spoken, new = self._spoken(line, lambda new_line: engine.speak_aloud(new_line, take))
+        else:
+            spoken, new = self._spoken(line, self._engine.speak)[0], False
+        if not new:
+            take(spoken.pcm)
+        return spoken
+
+    def _spoken(self, line: Say, speak: Callable[[Say], Spoken]) -> tuple[Spoken, bool]:
+        """The line, out of memory or the user's cache or else by `speak`; whether it was spoken now."""
         asked = (line.text, line.stretches, replace(line.voice, volume=1.0))
-        with self._lock:
+        with self._lock():
             if asked in self._kept:
                 self._kept.move_to_end(asked)
-                return self._kept[asked]
-            return self._remember(asked, self._loaded(line))
+                return self._kept[asked], False
+            key = self._key(line)
+            found = store.load(key) if key else None
+            spoken = found or speak(line)
+            if key and found is None:
+                store.save(key, spoken)
+            self._remember(asked, spoken)
+            return spoken, found is None
 
-    def _loaded(self, line: Say) -> Spoken:
-        """The line out of the user's cache, else spoken and put there."""
+    def _key(self, line: Say) -> str:
         identity = self._engine.identity(line.voice)
-        if not identity:
-            return self._engine.speak(line)
-        key = store.key_of(line, identity)
-        found = store.load(key)
-        if found is None:
-            found = self._engine.speak(line)
-            store.save(key, found)
-        return found
+        return store.key_of(line, identity) if identity else ""
 
-    def _remember(self, asked: object, line: Spoken) -> Spoken:
+    def _lock(self) -> Lock:
+        """This process's lock: of one that a fork has copied, the holder may not be there."""
+        return self._locks.setdefault(os.getpid(), Lock())
+
+    def _remember(self, asked: object, line: Spoken) -> None:
         self._kept[asked] = line
         self._size += len(line.pcm)
         while self._size > LARGEST and len(self._kept) > 1:
             self._size -= len(self._kept.popitem(last=False)[1].pcm)
-        return line

@@ -15,17 +15,19 @@ CLOSED = 0.6
 
 
 def doubts(line: Say, unable: Iterable[str]) -> tuple[Doubt, ...]:
-    """A warning for each thing that a line asks for and its engine is `unable` to do: `pitch`, `range`, `stress`."""
+    """A warning where a line asks for what its engine is `unable` to do: `pitch`, `range`, `stress`."""
     asked = {name for name in ("pitch", "range") if getattr(line.voice, name) != 1}
     asked |= {"stress" for mark in line.stretches if mark.kind == "stress"}
-    return tuple(Doubt("FS509", UNABLE[name].format(engine=line.voice.engine)) for name in unable if name in asked)
+    reasons = [UNABLE[name] for name in unable if name in asked]
+    return (Doubt("FS509", f"`{line.voice.engine}` {' and '.join(reasons)}"),) if reasons else ()
 
 
 UNABLE = {
-    "pitch": "it has the pitch that `{engine}` gives it",
-    "range": "its melody is that which `{engine}` gives it, whatever its `range`",
-    "stress": "`{engine}` stresses no word that the text marks",
+    "pitch": "has no `pitch` for it",
+    "range": "has no `range` for it",
+    "stress": "stresses no marked word",
 }
+"""What is told of an engine."""
 
 
 def with_bursts(phones: Sequence[PhoneTime]) -> Iterator[PhoneTime]:

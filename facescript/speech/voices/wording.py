@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from difflib import SequenceMatcher
 from itertools import accumulate, pairwise
@@ -36,9 +37,11 @@ def word_times(piece: Piece, begun: Sequence[tuple[int, float]], heard: Sequence
     length."""
     found = words(piece.text)
     total = heard[-1].end
+    sounding = [phone for phone in heard if phone.symbol]
     times: list[WordTime] = []
     for (index, start), (following, limit) in zip(begun, [*begun[1:], (len(found), total)], strict=True):
-        end = max((p.end for p in heard if p.symbol and start <= p.start < limit), default=limit)
+        first, last = (bisect_left(sounding, moment, key=lambda phone: phone.start) for moment in (start, limit))
+        end = sounding[last - 1].end if last > first else limit
         times += _shared(piece, found[index:following], start, min(end, limit))
     return tuple(times)
 

@@ -1,0 +1,166 @@
+"""Trains the recogniser of mouth shapes and writes its weights: `python benchmarks/speech/train_listen.py`.
+
+A quarter of an hour on one core; the same machine and libraries give the same weights. What is measured afterwards
+(`measure_listen.py`) was used neither here nor in the choice of any constant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+from listen_takes import Lesson, lessons
+from numpy.random import Generator, default_rng
+from numpy.typing import NDArray
+
+from facescript.speech.listen import network
+from facescript.speech.listen.bands import ENERGY, FAINTEST
+from facescript.speech.listen.classes import CLASS, CLASSES, SOUNDS
+from facescript.speech.listen.network import BANDS, FLOOR, LOUD, SPEAKING, Network, around, heights, packed
+
+Singles = NDArray[np.float32]
+Numbers = NDArray[np.intp]
+
+SEED = 5
+HIDDEN = (96, 48)
+EPOCHS, BATCH = 7, 512
+RATE, DECAY = 2e-3, 1e-4
+"""Adam's step at the start (it falls by half a cosine), and how fast weights shrink."""
+
+FIELD, OWN, BLUR = 0.2, 0.25, 0.1
+"""Powers of ten by which bands differ by chance: from moment to moment, and for all of a sound in a take; and what is
+added to every input."""
+
+MOMENT, NEAR = 6, 3.0
+"""Frames and bands over which such chance is alike."""
+
+EVEN, SILENT, PERSON = 0.8, 0.5, 1.5
+"""How far rare classes count for more while it learns (1: all classes alike), what silence counts, and what takes of
+people do."""
+
+
+def usual(taken: Sequence[Lesson]) -> Singles:
+    """The mean of all speech against its take's loudness: array[band]."""
+    sums, count = np.zeros(len(BANDS)), 0
+    for lesson in taken:
+        energy = lesson.features[:, ENERGY]
+        loud = np.percentile(energy[energy > np.log10(FAINTEST) + 0.5], LOUD)
+        speech = lesson.features[energy > loud - SPEAKING, : len(BANDS)] - loud
+        sums += np.maximum(speech, -FLOOR - 1.0).sum(axis=0)
+        count += len(speech)
+    return (sums / count).astype(np.float32)
+
+
+def changed(lesson: Lesson, rng: Generator) -> Singles:
+    """The features of a take as another speaker's would differ: each sound a little, and each moment."""
+    found = lesson.features.copy()
+    count, bands = len(found), len(BANDS)
+    alike = np.exp(-0.5 * np.square((np.arange(bands)[:, None] - np.arange(bands)) / NEAR))
+    alike /= np.sqrt(np.square(alike).sum(axis=0))
+    own = OWN * rng.standard_normal((len(SOUNDS), bands)) @ alike
+    moments = FIELD * rng.standard_normal((count // MOMENT + 3, bands)) @ alike
+    places = np.arange(count) / MOMENT + rng.random()
+    whole = places.astype(np.intp)
+    part = (places - whole)[:, None]
+    found[:, :bands] += own[lesson.sounds] + moments[whole] * (1.0 - part) + moments[whole + 1] * part
+    found[:, ENERGY] += 0.5 * OWN * rng.standard_normal(len(SOUNDS))[lesson.sounds]
+    found[:, :-1] = np.maximum(found[:, :-1], np.log10(FAINTEST))
+    return found
+
+
+def inputs(taken: Sequence[Lesson], mean: Singles, rng: Generator) -> Singles:
+    parts = []
+    for lesson in taken:
+        columns = heights(changed(lesson, rng), mean)
+        parts.append(around(columns, 0, len(columns)))
+    return np.concatenate(parts)
+
+
+def counted(taken: Sequence[Lesson]) -> Singles:
+    """What each frame counts: array[frame], 1 in the mean."""
+    classes = np.concatenate([lesson.classes for lesson in taken])
+    shares = np.bincount(classes, minlength=len(CLASSES)) / len(classes)
+    counts = shares**-EVEN
+    counts[0] *= SILENT
+    people = np.concatenate([np.full(len(lesson.classes), PERSON if lesson.person else 1.0) for lesson in taken])
+    weights = counts[classes] * people
+    return (weights / weights.mean()).astype(np.float32)
+
+
+class Adam:
+    """Layers of weights, and what their gradients were."""
+
+    def __init__(self, sizes: Sequence[int], rng: Generator) -> None:
+        shapes = list(pairwise(sizes))
+        self.layers = [np.vstack([rng.normal(0.0, a**-0.5, (a, b)), np.zeros((1, b))]) for a, b in shapes]
+        self.layers = [layer.astype(np.float32) for layer in self.layers]
+        self.means = [np.zeros_like(layer) for layer in self.layers]
+        self.squares = [np.zeros_like(layer) for layer in self.layers]
+        self.steps = 0
+
+    def step(self, gradients: Sequence[Singles], rate: float) -> None:
+        self.steps += 1
+        for layer, mean, square, gradient in zip(self.layers, self.means, self.squares, gradients, strict=True):
+            mean += 0.1 * (gradient - mean)
+            square += 0.001 * (gradient * gradient - square)
+            size = np.sqrt(square / (1.0 - 0.999**self.steps)) + 1e-8
+            layer -= rate * (mean / (1.0 - 0.9**self.steps) / size + DECAY * layer)
+
+
+def gradients(layers: Sequence[Singles], values: Singles, truth: Numbers, counts: Singles) -> list[Singles]:
+    """How the cross entropy changes with the weights of each layer."""
+    reached = [values]
+    for layer in layers[:-1]:
+        reached.append(np.tanh(reached[-1] @ layer[:-1] + layer[-1]))
+    scores = reached[-1] @ layers[-1][:-1] + layers[-1][-1]
+    fault = np.exp(scores - scores.max(axis=1, keepdims=True))
+    fault /= fault.sum(axis=1, keepdims=True)
+    fault[np.arange(len(truth)), truth] -= 1.0
+    fault *= counts[:, None] / len(truth)
+    found: list[Singles] = []
+    for layer, before in zip(reversed(layers), reversed(reached), strict=True):
+        found.append(np.vstack([before.T @ fault, fault.sum(axis=0)]))
+        fault = (fault @ layer[:-1].T) * (1.0 - before * before)
+    return found[::-1]
+
+
+def trained(taken: Sequence[Lesson]) -> Network:
+    rng = default_rng(SEED)
+    mean, counts = usual(taken), counted(taken)
+    truth = np.concatenate([lesson.sounds for lesson in taken])
+    total = EPOCHS * (len(truth) // BATCH)
+    adam: Adam | None = None
+    for epoch in range(EPOCHS):
+        values = inputs(taken, mean, rng)
+        adam = adam or Adam((values.shape[1], *HIDDEN, len(SOUNDS)), rng)
+        order = rng.permutation(len(truth))
+        for first in range(0, len(truth) - BATCH + 1, BATCH):
+            part = order[first : first + BATCH]
+            blurred = values[part] + BLUR * rng.standard_normal((BATCH, values.shape[1]), dtype=np.float32)
+            rate = RATE * 0.5 * (1.0 + np.cos(np.pi * adam.steps / total)) + 1e-6
+            adam.step(gradients(adam.layers, blurred, truth[part], counts[part]), rate)
+        print(f"epoch {epoch + 1} of {EPOCHS}", flush=True)
+    assert adam is not None
+    adam.layers[-1][-1] += evened(taken)
+    return Network(adam.layers, mean)
+
+
+def evened(taken: Sequence[Lesson]) -> Singles:
+    """What is added to the score of each sound, so that in the end all classes but silence are alike."""
+    classes = np.concatenate([lesson.classes for lesson in taken])
+    added = (EVEN - 1.0) * np.log(np.bincount(classes, minlength=len(CLASSES)) / len(classes))
+    added[0] = 0.0
+    return added[CLASS].astype(np.float32)
+
+
+def main() -> None:
+    taken = list(lessons(SEED))
+    print(f"{sum(len(lesson.sounds) for lesson in taken)} frames of {len(taken)} takes", flush=True)
+    path = Path(network.__file__).with_name("weights.json")
+    path.write_text(packed(trained(taken)), "ascii")
+
+
+if __name__ == "__main__":
+    main()

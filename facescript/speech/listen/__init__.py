@@ -1,0 +1,1 @@
+"""A recording alone to the phones that a mouth can show: no words, no language."""

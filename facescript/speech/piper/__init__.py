@@ -1,0 +1,1 @@
+"""The program piper as an engine of speech."""
