@@ -60,6 +60,6 @@ def _sources() -> str:
     """A digest of this package: what another version made is not its own."""
     speech = Path(__file__).parents[1]
     digest = hashlib.sha256()
-    for path in sorted(speech.rglob("*.py")):
+    for path in sorted((*speech.rglob("*.py"), *speech.rglob("*.json"))):
         digest.update(hashlib.sha256(path.read_bytes()).digest())
     return digest.hexdigest()
