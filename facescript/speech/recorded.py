@@ -30,7 +30,7 @@ def _with_words(sound: Recording, line: Say) -> Spoken:
 
 
 def _sound(sound: Recording) -> Spoken:
-    return Spoken(sound.samples.tobytes(), sound.rate, sound.duration, (), ())
+    return Spoken(sound.pcm, sound.rate, sound.duration, (), (), doubts=sound.doubts)
 
 
 def _read(world: World, name: str) -> Recording:
