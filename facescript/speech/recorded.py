@@ -26,7 +26,7 @@ def recorded(line: Say, world: World, voice: VoiceBox) -> Spoken:
 def _with_words(sound: Recording, line: Say) -> Spoken:
     """The recording with its words where they are said; the synthesiser helps to find them, whatever the voice is."""
     found = aligned(sound, line, process_voice())
-    return replace(_sound(sound), words=found.words, phones=found.phones, doubts=found.doubts)
+    return replace(_sound(sound), words=found.words, phones=found.phones, doubts=(*sound.doubts, *found.doubts))
 
 
 def _sound(sound: Recording) -> Spoken:
