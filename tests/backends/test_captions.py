@@ -229,5 +229,8 @@ def test_command_line_takes_what_fits(tmp_path: Path, capsys: pytest.CaptureFixt
     assert main(["build", str(script), "-o", str(tmp_path / "a.vtt"), "--captions", "loud"]) != 0
     assert main(["build", str(script), "-o", str(tmp_path / "a.vtt"), "--font", "x.ttf"]) != 0
     assert main(["build", str(script), "-o", str(tmp_path / "a.png"), "--captions", "burn", "--font", "x.ttf"]) != 0
+    script.write_text('film 64x36, 5fps\n\nsay "Hi 𓀀."\n', "utf-8")
+    assert main(["build", str(script), "-o", str(tmp_path / "a.mp4"), "--captions", "burn", "--quiet"]) != 0
     told = capsys.readouterr().err
+    assert told.count("FS907") == 1 and "`𓀀`" in told
     assert told.count("FS905") == 3 and told.count("FS904") == 1 and told.count("FS901") == 1

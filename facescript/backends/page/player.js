@@ -5,20 +5,24 @@ const audio = one("sound"), duration = film.duration, watchers = [];
 
 // ---------------------------------------------------------------- the clock
 
-const STEADY = 0.25;  // seconds that a browser may leave its sound's time as it is
-const clock = { at: 0, since: performance.now(), rate: 1, silent: !audio, playing: false };
+const COARSEST = 0.25;  // seconds from one step to the next of the slowest clocks
+const clock = { at: 0, since: performance.now(), pace: 0, rate: 1, playing: false };
 
-// The sound's time now. Some browsers bring it forward in steps: what has passed since the last is added.
+// The sound's time now. Some browsers bring it forward in steps: between two, what has passed since the last is added,
+// but no more than passed between the two before, so that a sound that stands still is not run ahead of.
 function now() {
-  const passed = (performance.now() - clock.since) / 1000 * clock.rate;
-  if (clock.silent) return clock.playing ? Math.min(clock.at + passed, duration) : clock.at;
-  if (audio.currentTime !== clock.at) clock.at = audio.currentTime, clock.since = performance.now();
-  else if (clock.playing && !audio.seeking && passed < STEADY) return Math.min(clock.at + passed, duration);
-  return clock.at;
+  const passed = (performance.now() - clock.since) / 1000;
+  if (audio && audio.currentTime !== clock.at) {
+    clock.pace = audio.currentTime > clock.at && passed < COARSEST ? passed : 0;
+    clock.at = audio.currentTime, clock.since = performance.now();
+    return clock.at;
+  }
+  const more = clock.playing ? Math.min(passed, audio ? clock.pace : Infinity) * clock.rate : 0;
+  return Math.min(clock.at + more, duration);
 }
 
 function keep(time) {
-  clock.at = time, clock.since = performance.now();
+  clock.at = time, clock.since = performance.now(), clock.pace = 0;
 }
 
 function seek(time) {
@@ -42,7 +46,7 @@ function pause() {
 }
 
 function started(playing) {
-  clock.since = performance.now();
+  keep(audio ? audio.currentTime : clock.at);
   if (clock.playing !== playing) (clock.playing = playing) && requestAnimationFrame(step);
   document.documentElement.classList.toggle("fs-playing", playing);
   if (playing) document.documentElement.classList.add("fs-begun");
@@ -53,7 +57,7 @@ function started(playing) {
 function step() {
   if (!clock.playing) return;
   show(now());
-  if (clock.silent && now() >= duration) pause();
+  if (!audio && now() >= duration) pause();
   else requestAnimationFrame(step);
 }
 

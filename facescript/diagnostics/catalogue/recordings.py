@@ -1,4 +1,4 @@
-"""Codes FS51x and FS95x, recordings with their words."""
+"""Codes FS510 to FS512 and FS950 to FS952, recordings with their words."""
 
 from __future__ import annotations
 
@@ -33,6 +33,16 @@ RECORDINGS: tuple[Entry, ...] = (
         stage="unforced",
     ),
     Entry(
+        "FS512",
+        "recording-unclear",
+        Severity.WARNING,
+        "Two ways of finding the words do not agree: {reason}.",
+        'say "Hello." from "take.wav"\n',
+        _HELLO,
+        "English is aligned twice where PocketSphinx is installed; look whether the words there are at their place.",
+        stage="unforced",
+    ),
+    Entry(
         "FS950",
         "align-failed",
         Severity.ERROR,
@@ -53,5 +63,15 @@ RECORDINGS: tuple[Entry, ...] = (
         "Choose the pause after the first sentence, `--pause 1.2s 1.65s`, or `--pause first`.",
         stage="command",
         command=("align", "take.wav", "script.face", "--pause", "2s", "1s"),
+    ),
+    Entry(
+        "FS952",
+        "align-extra",
+        Severity.ERROR,
+        "PocketSphinx is not installed: `pip install 'facescript[english]'`; without `--by` the voice aligns.",
+        _HELLO,
+        _HELLO,
+        "It finds the phones of English recordings somewhat nearer, and takes four times as long.",
+        stage="unforced",
     ),
 )

@@ -54,7 +54,7 @@ SPEECH: tuple[Entry, ...] = (
         "FS506",
         "recording-changed",
         Severity.ERROR,
-        "A recording is heard as it was spoken; `{name}` is for a voice.",
+        "A recording is heard, and the times of a file are kept, as they are; `{name}` is for a voice.",
         'say "Hello." from "take.wav", rate 90%\n',
         'say "Hello.", rate 90%\n',
         "`volume` is for both.",

@@ -157,9 +157,9 @@ def _peaks(spoken: Spoken, sound: Prosody) -> Iterator[Accent]:
     """The most prominent frame of every phone; its strength is the prominence, and at least `EMPHASIS` once in a word
     that the text stresses."""
     found = list(_phone_peaks(spoken, sound))
-    for word in spoken.words:
+    for word in (each for each in spoken.words if each.stress):
         inside = [place for place, one in enumerate(found) if word.start <= one.time < word.end]
-        if word.stress and inside:
+        if inside:
             place = max(inside, key=lambda each: found[each].strength)
             found[place] = replace(found[place], strength=max(found[place].strength, 0.0) + EMPHASIS)
     return iter(found)
