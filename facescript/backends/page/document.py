@@ -14,14 +14,14 @@ from facescript.backends.job import Job
 from facescript.backends.output import Outputs
 from facescript.backends.page.figure import figure
 from facescript.backends.page.motion import Motion, motion
-from facescript.backends.page.sound import mp3
+from facescript.backends.page.sound import opus
 from facescript.backends.page.still import still
 from facescript.backends.page.template import filled, policy, with_end, with_head
 from facescript.backends.page.words import Line, lines, transcript
 
 HERE = Path(__file__).parent
 
-SOUND = "sound.mp3"
+SOUND = "sound.webm"
 """The sound's file in the folder of a page in several files."""
 
 
@@ -78,7 +78,7 @@ def placeholders(job: Job, said: Sequence[Line]) -> dict[str, str]:
 def assembled(job: Job, template: str, parts: Mapping[str, str], folder: str = "", scripts: Sequence[str] = ()) -> Page:
     """A template with its placeholders' `parts`, the player, further `scripts`, and the film they play."""
     script = f'(() => {{\n"use strict";\n{resource("face.js")}\n{resource("player.js")}\n}})();\n'
-    sound, moved = mp3(job.heard), motion(job)
+    sound, moved = opus(job.heard), motion(job)
     film = {
         **figure(job.stage, moved),
         "duration": round(job.end - job.start, 3),
@@ -141,7 +141,7 @@ def _face(job: Job, title: str) -> str:
 
 def _within(sound: bytes | None, moved: Motion) -> tuple[str, dict[str, bytes], str]:
     """Sound and motion in the page: the sound's address, no files, and the parts as elements."""
-    address = f"data:audio/mpeg;base64,{base64.b64encode(sound).decode('ascii')}" if sound else ""
+    address = f"data:audio/webm;base64,{base64.b64encode(sound).decode('ascii')}" if sound else ""
     parts = (
         f'<script type="text/plain" id="facescript-part-{number}">{part.rows}</script>'
         for number, part in enumerate(moved.parts)
