@@ -25,8 +25,8 @@ def timed(line: Say, world: World, voice: VoiceBox, sound: Spoken | None) -> Spo
     placed = fitted(times, line)
     base = sound or Spoken(b"", RATE, times.duration, (), ())
     phones = placed.phones or _spoken(line, times, placed, voice)
-    marks = _marks(times)
-    spoken = replace(base, words=placed.words, phones=phones, doubts=placed.doubts, marks=marks)
+    doubts = (*base.doubts, *placed.doubts)
+    spoken = replace(base, words=placed.words, phones=phones, doubts=doubts, marks=_marks(times))
     return _within(spoken, sound is not None)
 
 
