@@ -39,7 +39,7 @@ BIG = 40
 SHAPED = ((0x0590, 0x08FF), (0x0900, 0x0DFF), (0x0E00, 0x109F), (0x1780, 0x17FF), (0xFB1D, 0xFDFF), (0xFE70, 0xFEFF))
 """Scripts that run from right to left, or whose signs change with their neighbours: they need Raqm."""
 
-ADVICE = "give a font that has them with `--font FILE`, or install `facescript[captions]` for Chinese, Japanese, Korean"
+ADVICE = "give a font that has them with `--font FILE`"
 
 
 @dataclass(frozen=True)
