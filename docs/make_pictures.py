@@ -105,6 +105,7 @@ GALLERY = {
     "vergence": 2.4,
     "degrees": 3.0,
     "mandarin": 1.0,
+    "recorded": 3.4,
     "alone": 1.11,
     "idle": 5.2,
     "track": 7.5,

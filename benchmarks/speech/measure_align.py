@@ -14,8 +14,8 @@ from row import Row
 
 from facescript.ir.acts import Say, Voice
 from facescript.speech.align.aligned import aligned
-from facescript.speech.align.sphinx import installed
 from facescript.speech.espeak.voicebox import process_voice
+from facescript.speech.listen.loop import installed
 from facescript.speech.model import Spoken
 from facescript.speech.sound.recording import Recording, read_recording
 

@@ -17,8 +17,8 @@ from facescript.speech.align.activity import Stretch
 from facescript.speech.align.aligned import aligned
 from facescript.speech.align.alignment import Alignment
 from facescript.speech.align.chosen import FIRST, chosen_pauses
-from facescript.speech.align.sphinx import installed
 from facescript.speech.espeak.voicebox import process_voice
+from facescript.speech.listen.loop import installed
 from facescript.speech.model import VoiceFailure
 from facescript.speech.sound.recording import read_recording
 from facescript.speech.timing.files import WRITERS, write_times

@@ -229,6 +229,7 @@ def track_of(rows: list[tuple[list[str], float, float]]) -> tuple[MouthTrack, fl
     return MouthTrack(lines), at
 
 
+@settings(max_examples=50, deadline=None)
 @given(LINES)
 def test_at_most_two_shapes_weigh(rows: list[tuple[list[str], float, float]]) -> None:
     track, end = track_of(rows)
@@ -241,7 +242,7 @@ def test_at_most_two_shapes_weigh(rows: list[tuple[list[str], float, float]]) ->
         assert np.all((share >= 0) & (share <= 1) & (second >= first))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=50, deadline=None)
 @given(LINES)
 def test_curves_have_no_jump_and_no_corner(rows: list[tuple[list[str], float, float]]) -> None:
     track, end = track_of(rows)
@@ -255,6 +256,7 @@ def test_curves_have_no_jump_and_no_corner(rows: list[tuple[list[str], float, fl
     assert np.all((activity >= 0) & (activity <= 1))
 
 
+@settings(max_examples=50, deadline=None)
 @given(LINES)
 def test_any_order_of_times_gives_the_same(rows: list[tuple[list[str], float, float]]) -> None:
     track, end = track_of(rows)

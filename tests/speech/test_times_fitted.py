@@ -72,7 +72,7 @@ def test_another_text_is_told_and_spread_over_the_time() -> None:
     assert starts("my lost cup", times)[0] == ("my", 0)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(
     said=st.lists(st.sampled_from(["a", "b", "cup", "cups", "7", "世"]), min_size=1, max_size=9),
     held=st.lists(st.sampled_from(["a", "b", "cup", "seven", "界", ""]), min_size=1, max_size=9),

@@ -141,6 +141,7 @@ def test_mandarin_shapes_are_there_when_they_are_given() -> None:
 SYMBOLS = st.sampled_from("_ p b m f t s ʃ a i uː oʊ ə zh:m zh:a zh:i ɹ w".split())
 
 
+@settings(deadline=None)
 @given(st.lists(st.tuples(SYMBOLS, st.floats(0.005, 0.4), st.booleans()), max_size=30))
 def test_any_row_of_phones_leaves_room_to_move(row: list[tuple[str, float, bool]]) -> None:
     phones, at = [], 0.0
@@ -159,6 +160,6 @@ def test_any_row_of_phones_leaves_room_to_move(row: list[tuple[str, float, bool]
         if phone.symbol in ("p", "b"):
             assert any(shape.on - 1e-9 <= phone.start <= shape.off + 1e-9 for shape in shut)
         if phone.symbol == "zh:m":
-            assert any(shape.on <= phone.end - 0.059 and shape.off >= phone.end for shape in shut)
+            assert any(shape.on <= phone.end - 0.059 and shape.off >= phone.end - 1e-9 for shape in shut)
         if phone.symbol == "m":
-            assert any(shape.on <= phone.start + 0.016 and shape.off >= phone.end for shape in shut)
+            assert any(shape.on <= phone.start + 0.016 and shape.off >= phone.end - 1e-9 for shape in shut)

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from facescript.diagnostics.catalogue.model import Entry
+from facescript.diagnostics.catalogue.speech import SILENCE
 from facescript.diagnostics.model import Severity
-
-_QUIET = "RIFF\x24\x20\0\0WAVEfmt \x10\0\0\0\1\0\1\0\0\x20\0\0\0\x40\0\0\2\0\x10\0data\0\x20\0\0" + "\0" * 0x2000
-"""A WAV file of half a second without sound, every byte of it ASCII."""
 
 _HELLO = 'say "Hello."\n'
 
@@ -19,7 +17,7 @@ RECORDINGS: tuple[Entry, ...] = (
         'say "Hello." from "take.wav"\n',
         _HELLO,
         "The words are put where they fit best, or spread over the speech that there is. `take.wav` is silent here.",
-        files={"take.wav": _QUIET},
+        files={"take.wav": SILENCE},
         stage="build",
     ),
     Entry(

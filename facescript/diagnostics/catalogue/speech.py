@@ -5,7 +5,7 @@ from __future__ import annotations
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.model import Severity
 
-_SILENCE = "RIFF\x24\x20\0\0WAVEfmt \x10\0\0\0\1\0\1\0\0\x20\0\0\0\x40\0\0\2\0\x10\0data\0\x20\0\0" + "\0" * 0x2000
+SILENCE = "RIFF\x24\x20\0\0WAVEfmt \x10\0\0\0\1\0\1\0\0\x20\0\0\0\x40\0\0\2\0\x10\0data\0\x20\0\0" + "\0" * 0x2000
 """A WAV file of half a second without sound, every byte of it ASCII."""
 
 SPEECH: tuple[Entry, ...] = (
@@ -159,7 +159,7 @@ SPEECH: tuple[Entry, ...] = (
         'say from "silence.wav"\n',
         'say "Hello."\n',
         "The mouth stays closed while it plays. `silence.wav` is half a second without sound.",
-        files={"silence.wav": _SILENCE},
+        files={"silence.wav": SILENCE},
         stage="build",
     ),
     Entry(

@@ -20,8 +20,9 @@ from facescript.speech.align.reference import HOP, Reference, joined, reference
 from facescript.speech.align.second import Part, better
 from facescript.speech.align.segments import fitting, pauses_between
 from facescript.speech.align.sentences import sentences
-from facescript.speech.align.sphinx import Utterance, installed, starts
+from facescript.speech.align.sphinx import Utterance, starts
 from facescript.speech.espeak.parts import RATE
+from facescript.speech.listen.loop import installed
 from facescript.speech.model import Doubt, PhoneTime, Spoken, VoiceBox, WordTime
 from facescript.speech.sound.recording import Recording, Samples
 from facescript.speech.timing.fitting import fitted, voiced

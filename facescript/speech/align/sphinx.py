@@ -7,7 +7,6 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from importlib.util import find_spec
 from itertools import pairwise
 from pathlib import Path
 
@@ -49,11 +48,6 @@ class Utterance:
     start: float
     words: Sequence[WordTime]
     phones: Sequence[PhoneTime]
-
-
-def installed() -> bool:
-    """Whether the extra is there."""
-    return find_spec("pocketsphinx") is not None
 
 
 def starts(utterances: Sequence[Utterance]) -> list[Starts | None]:

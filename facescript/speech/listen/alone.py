@@ -7,7 +7,7 @@ from facescript.speech.listen.loop import installed, looped
 from facescript.speech.model import Doubt, Spoken
 from facescript.speech.sound.recording import Recording
 
-UNHEARD = Doubt("FS521", "there is only silence in it")
+UNHEARD = Doubt("FS521", "there is only silence or noise in it")
 
 
 def alone(recording: Recording, language: str) -> Spoken:

@@ -142,9 +142,10 @@ def _loud(sound: Prosody, duration: float) -> tuple[tuple[float, float], ...]:
 
 
 def _syllables(spoken: Spoken, sound: Prosody) -> Iterator[PhoneTime]:
-    """The phones of a line that sound; where nobody knows them, pieces of its sound as long as half a syllable."""
+    """The phones of a line that sound; where nobody knows them, pieces of its sound as long as half a syllable. Silence
+    alone, without words, is known to be silence."""
     phones = [phone for phone in spoken.phones if phone.symbol]
-    if phones:
+    if phones or (spoken.phones and not spoken.words):
         yield from phones
         return
     for start, end in _loud(sound, spoken.duration):

@@ -1,0 +1,148 @@
+"""A page in Chromium: it looks like our own frames, keeps to its sound, and does what its reader asks for."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import imageio.v3 as iio
+import numpy as np
+import pytest
+from chromium import Page
+from test_svg import tiles
+
+from facescript.cli.main import main
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+EARLY, LATE = 0.015, 0.045
+TRIES = 3
+BARE = "<!DOCTYPE html><style>body{margin:0}.fs-begin{display:none}</style>{{face}}"
+DRAWN = """
+new Promise(done => {
+  const look = () => Math.abs(facescript.drawn - AT) < 1e-3 ? done(1) : requestAnimationFrame(look);
+  look();
+})
+"""
+
+AHEAD = """
+new Promise(done => {
+  const audio = document.querySelector("audio"), found = [];
+  facescript.watch(() => {
+    if (!audio.paused && !audio.seeking) found.push(facescript.drawn - audio.currentTime);
+    if (found.length === 60) done(found);
+  });
+  facescript.seek(FROM); facescript.play();
+})
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("page")
+    text = (EXAMPLES / "evening.face").read_text("utf-8").replace("film 1280x720", "film 640x360")
+    (folder / "evening.face").write_text(text, "utf-8")
+    (folder / "studio.face").write_text((EXAMPLES / "studio.face").read_text("utf-8"), "utf-8")
+    (folder / "bare.html").write_text(BARE, "utf-8")
+    build = ["build", str(folder / "evening.face"), "--quiet", "--to", "6s"]
+    assert main([*build, "-o", str(folder / "page.html"), "--split"]) == 0
+    assert main([*build, "-o", str(folder / "face.html"), "--page", str(folder / "bare.html")]) == 0
+    return folder
+
+
+@pytest.fixture(scope="module")
+def page(folder: Path) -> Iterator[Page]:
+    with Page((folder / "page.html").as_uri(), 900, 900) as page:
+        shown(page, 0.0)
+        yield page
+
+
+def shown(page: Page, at: float) -> None:
+    page.run(f"facescript.seek({at})")
+    page.run(DRAWN.replace("AT", f"{at}"))
+
+
+def press(page: Page, key: str) -> None:
+    page.run(f"document.body.dispatchEvent(new KeyboardEvent('keydown', {{key: '{key}', bubbles: true}})); 0")
+
+
+def test_looks_like_our_frames(folder: Path) -> None:
+    with Page((folder / "face.html").as_uri(), 640, 360) as page:
+        for moment in (0.83, 5.3):
+            shown(page, moment)
+            place = folder / "frame.png"
+            words = ["build", str(folder / "evening.face"), "-o", str(place), "--at", f"{moment}s", "--quiet"]
+            assert main(words) == 0
+            ours = np.asarray(iio.imread(place))[..., :3].astype(np.int16)
+            difference = np.abs(page.picture().astype(np.int16) - ours).mean(axis=2)
+            assert difference.mean() < 2 and tiles(difference).max() <= 12, f"at {moment} s"
+
+
+def in_step(page: Page, start: float) -> bool:
+    """Whether picture and sound keep together; a machine that stalls for a moment may spoil that."""
+    found = np.array(page.run(AHEAD.replace("FROM", f"{start}")))[5:]
+    page.run("facescript.pause()")
+    return bool(found.max() <= EARLY and found.min() >= -LATE)
+
+
+def test_keeps_to_its_sound(page: Page) -> None:
+    for start in (1.0,):
+        assert any(in_step(page, start) for _ in range(TRIES)), f"not from {start} s on"
+
+
+def test_a_click_on_a_word_goes_there_and_lights_it(page: Page) -> None:
+    number = page.run("[...document.querySelectorAll('.fs-word')].findIndex((each) => each.textContent === 'cup')")
+    page.run(f"document.querySelectorAll('.fs-word')[{number}].click()")
+    start = float(page.run(f"document.querySelectorAll('.fs-word')[{number}].dataset.start"))
+    page.run(DRAWN.replace("AT", f"{start + 0.001}"))
+    assert page.run("facescript.time") == pytest.approx(start + 0.001)
+    assert (
+        page.run("[...document.querySelectorAll('.fs-text .now.fs-word')].map((each) => each.textContent).join()")
+        == "cup"
+    )
+    press(page, "c")
+    shown(page, start + 0.01)
+    assert "cup" in page.run("document.querySelector('.fs-caption').innerText")
+    press(page, "c")
+    assert page.run("document.querySelector('.fs-caption').innerText") == ""
+
+
+def test_keys(page: Page) -> None:
+    shown(page, 0.5)
+    press(page, "ArrowRight")
+    assert page.run("facescript.time") == pytest.approx(5.5)
+    press(page, "Home")
+    assert page.run("facescript.time") == 0
+    for key in ("+", "m", " "):
+        press(page, key)
+    page.run("new Promise(done => setTimeout(done, 500))")
+    assert page.run("(a => [a.playbackRate, a.muted, a.paused])(document.querySelector('audio'))") == [
+        1.25,
+        True,
+        False,
+    ]
+    for key in ("-", "m", " "):
+        press(page, key)
+    page.run("new Promise(done => setTimeout(done, 100))")
+    assert page.run("(a => [a.playbackRate, a.muted, a.paused])(document.querySelector('audio'))") == [1, False, True]
+
+
+def test_a_screen_reader_finds_its_way(page: Page) -> None:
+    page.call("Accessibility.enable")
+    nodes = page.call("Accessibility.getFullAXTree")["nodes"]
+    found = {(node["role"]["value"], node.get("name", {}).get("value")) for node in nodes if not node.get("ignored")}
+    assert {("slider", "Time"), ("button", "Play"), ("slider", "Volume"), ("button", "Captions")} <= found
+    assert all(name for role, name in found if role in ("button", "slider", "combobox", "image", "region"))
+
+
+def test_waits_for_its_reader(folder: Path) -> None:
+    """Nothing plays by itself, and the face is there before any script."""
+    with Page("about:blank#", 640, 640) as page:
+        page.call("Emulation.setScriptExecutionDisabled", value=True)
+        page.call("Page.navigate", url=(folder / "page.html").as_uri())
+        time.sleep(0.4)
+        assert np.ptp(page.picture()[100:300, 200:440]) > 100
+        page.call("Emulation.setScriptExecutionDisabled", value=False)
+        page.call("Page.navigate", url=(folder / "page.html").as_uri() + "?")
+        time.sleep(0.4)
+        assert page.run("document.querySelector('audio').paused")
