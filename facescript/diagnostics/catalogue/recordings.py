@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from facescript.diagnostics.catalogue.model import Entry
-from facescript.diagnostics.catalogue.speech import _SILENCE as SILENCE
+from facescript.diagnostics.catalogue.speech import SILENCE
 from facescript.diagnostics.model import Severity
 
 _HELLO = 'say "Hello."\n'
