@@ -36,7 +36,7 @@ SAMPA = {"@": "ə", "D": "ð", "V": "ʌ", "A": "ɑ", "eI": "eɪ", "aI": "aɪ", "
 
 
 def rows() -> Iterator[Row]:
-    """Every figure is of voices and sentences that nothing was tuned on."""
+    """Every figure is of voices and sentences that nothing was trained on."""
     for name, language in (("English", "en-us"), ("Mandarin", "cmn")):
         takes = [espeak(text, language, voice) for text in MEASURED[language].splitlines() for voice in HELD_OUT]
         yield _row(f"a recording alone: {name}, {len(HELD_OUT)} voices of espeak-ng, recall over 4 classes", takes)

@@ -28,7 +28,7 @@ TEXTS = {
 LONG = 40
 """Times the text, for a line of minutes."""
 
-RUNS = 40
+RUNS = 20
 
 
 def rows() -> Iterator[Row]:

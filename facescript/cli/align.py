@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from facescript.backends.output import outputs
+from facescript.cli.arguments import SPHINX, VOICE
 from facescript.cli.outputs import no_kind, put, suffix_of
 from facescript.cli.project import open_script
 from facescript.cli.report import OptionFault, refuse
@@ -17,6 +18,7 @@ from facescript.speech.align.aligned import aligned
 from facescript.speech.align.alignment import Alignment
 from facescript.speech.align.chosen import FIRST, chosen_pauses
 from facescript.speech.espeak.voicebox import process_voice
+from facescript.speech.listen.loop import installed
 from facescript.speech.model import VoiceFailure
 from facescript.speech.sound.recording import read_recording
 from facescript.speech.timing.files import WRITERS, write_times
@@ -30,6 +32,8 @@ def run(options: argparse.Namespace) -> int:
         if suffix.lower() not in WRITERS:
             raise no_kind(target, suffix, WRITERS)
     pause = _pause(options.pause)
+    if options.by == SPHINX and not installed():
+        raise OptionFault("FS952")
     try:
         source, _ = open_script(options.text)
     except WorldFailure as fault:
@@ -50,7 +54,7 @@ def _aligned(options: argparse.Namespace, text: str, pause: Stretch | str | None
         raise OptionFault("FS951", reason=f"the recording ends at {recording.duration:.2f} s")
     pauses = None if pause is None else chosen_pauses(recording, pause)
     line = Say(text, Voice(options.language))
-    return aligned(recording, line, process_voice(), pauses)
+    return aligned(recording, line, process_voice(), pauses, options.by == VOICE)
 
 
 def _pause(words: list[str] | None) -> Stretch | str | None:

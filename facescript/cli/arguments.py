@@ -9,6 +9,9 @@ from dataclasses import dataclass
 LATER = ("preview", "live", "lsp")
 """Commands of the language's design that this version refuses by name."""
 
+SPHINX, VOICE = "pocketsphinx", "voice"
+"""The ways to align."""
+
 LISTS = ("faces", "looks", "expressions", "actions", "muscles", "channels", "voices", "backends", "lives", "words")
 
 
@@ -105,6 +108,8 @@ def _align(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("text", metavar="TEXT", help="a text file with what is said in it, or - for standard input")
     parser.add_argument("--language", default="en-us", metavar="CODE", help="as in `facescript list voices`")
     parser.add_argument("--pause", nargs="+", metavar="TIME", help="the pause after the first sentence, or `first`")
+    by = f"{SPHINX}, the usual way for English where it is installed, or {VOICE}, the usual one else"
+    parser.add_argument("--by", choices=(SPHINX, VOICE), help=by)
     kinds = ".TextGrid, .json, .vtt, .srt, .csv or .tsv; repeat"
     parser.add_argument("-o", "--output", action="append", default=[], metavar="OUT", help=kinds)
     parser.add_argument("--as", dest="kind", metavar="KIND", help="the kind where the output is - (json, csv, ...)")

@@ -11,6 +11,7 @@ from facescript.backends.numbered import is_numbered
 from facescript.backends.output import Outputs, outputs
 from facescript.backends.registry import Backend, backends
 from facescript.backends.stills import write_pngs
+from facescript.cli.captions import fit_captions, font_named
 from facescript.cli.losses import losses
 from facescript.cli.outputs import no_kind, put, suffix_of, targets
 from facescript.cli.pages import page_wish
@@ -22,14 +23,8 @@ from facescript.cli.settings import count, seconds, stretch
 from facescript.compile import Compiled
 from facescript.world import World, WorldFailure
 
-BURNT = (".mp4", ".webm", ".gif", ".png")
-"""Outputs into which captions can be burned."""
-
 PAGE_OPTIONS = ("page", "split")
 """Options that pages alone have."""
-
-LARGEST_FONT = 64 * 1024 * 1024
-"""Bytes of a font."""
 
 MOST_JOBS = 64
 """Processes that draw at once, whatever is asked for."""
@@ -69,21 +64,7 @@ def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None
             raise OptionFault("FS905", option="--split", fitting="named .html", suffix=target)
         if is_numbered(target) and backend.suffix != ".png":
             raise OptionFault("FS905", option="%d", fitting=".png", suffix=backend.suffix)
-    _fit_captions(options, [backend.suffix for _, backend in wanted])
-
-
-def _fit_captions(options: argparse.Namespace, suffixes: list[str]) -> None:
-    """`--captions` and `--font` need an output that has them."""
-    how = options.captions
-    if how not in (None, "words", "sentences", "burn"):
-        raise OptionFault("FS904", option="--captions", value=how, example="words")
-    takes = BURNT if how == "burn" else (".vtt", ".srt")
-    if how is not None and not set(takes) & set(suffixes):
-        raise OptionFault("FS905", option=f"--captions {how}", fitting=" and ".join(takes), suffix=suffixes[0])
-    if options.font is not None and how != "burn":
-        raise OptionFault(
-            "FS905", option="--font", fitting="`--captions burn`", suffix=f"--captions {how or 'sentences'}"
-        )
+    fit_captions(options, [backend.suffix for _, backend in wanted])
 
 
 def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress: Progress) -> Job:
@@ -96,21 +77,9 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     start, end = stretch(options, score.duration)
     at = _moment(options, score.duration)
     jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
-    page, font = page_wish(options, world), _font(options.font)
+    page, font = page_wish(options, world), font_named(options.font)
     captions = options.captions or "sentences"
     return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page, captions, font)
-
-
-def _font(name: str | None) -> bytes | None:
-    """The bytes of the font that `--font` names. Raises `OptionFault`."""
-    if name is None:
-        return None
-    try:
-        if Path(name).stat().st_size > LARGEST_FONT:
-            raise OptionFault("FS901", name=name, reason=f"it is larger than {LARGEST_FONT >> 20} MiB")
-        return Path(name).read_bytes()
-    except OSError as fault:
-        raise OptionFault("FS901", name=name, reason=fault.strerror or "it cannot be read") from None
 
 
 def _moment(options: argparse.Namespace, duration: float) -> float | None:
@@ -122,9 +91,9 @@ def _moment(options: argparse.Namespace, duration: float) -> float | None:
 
 
 def _make(job: Job, wanted: list[tuple[str, Backend]], progress: Progress) -> int:
-    show(losses(job, wanted))
-    target = ""
+    target = wanted[0][0]
     try:
+        show(losses(job, wanted))
         with outputs() as batch:
             for target, backend in wanted:
                 with progress.of(target):

@@ -12,7 +12,6 @@ from facescript.resolve.place import Place
 from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
 from facescript.resolve.scope import GLOBAL, Scope, expand, inside
-from facescript.resolve.ssml import read_ssml
 from facescript.resolve.sums import left_over
 from facescript.resolve.texts import Inline, Piece, pieces_of, read_text
 from facescript.resolve.units import SHARE
@@ -38,7 +37,7 @@ def say(project: Project, line: Line, place: Place, more: tuple[String, ...]) ->
     pieces, scope = _pieces(project, reader, more, recording is not None)
     line.finish(reader)
     voice = spoken_with(_voice_of(project, place), line)
-    if recording is not None:
+    if recording is not None or times is not None:
         _as_it_was(project, line)
     if not pieces:
         return Say("", voice, recording=recording, times=times), ()
@@ -56,11 +55,13 @@ def _ssml(
     times: str | None,
 ) -> Say:
     """A line whose text is a file of SSML. Raises `Refused`."""
+    from facescript.resolve.ssml import read_ssml  # a parser of XML: only lines with SSML pay it
+
     source = _file(project, reader, "ssml")[0]
     _nothing_more(project, more)
     line.finish(reader)
     voice = spoken_with(_voice_of(project, place), line)
-    if recording is not None:
+    if recording is not None or times is not None:
         _as_it_was(project, line)
     found = read_ssml(project, source, line.span)
     if found.language and _primary(found.language) != _primary(voice.language):

@@ -57,11 +57,21 @@ class Voices:
         if key not in self._places:
             self._places[key] = occurrences(*key)
         places = self._places[key]
+        spoken = self.speak(line, span)
+        if not places and line.times is not None:
+            return self._in_file(spoken, word, nth)
         if not 1 <= nth <= len(places):
             raise ValueError(f"the play asks for {word!r}, number {nth}, in a line without it")
         first, last = places[nth - 1]
-        spoken = self.speak(line, span)
         return starts_at(spoken, first), ends_at(spoken, last)
+
+    def _in_file(self, spoken: Spoken, name: str, nth: int) -> tuple[float, float]:
+        """The moment of a mark in the line's file of times; any for a file that could not be read, which is told."""
+        times = [time for mark, time in spoken.marks if mark == name]
+        if not 1 <= nth <= len(times) and not self.failures:
+            raise ValueError(f"the play asks for {name!r}, number {nth}, in a line without it")
+        time = times[nth - 1] if times else 0.0
+        return time, time
 
 
 def _at_mark(line: Say, number: int, spoken: Spoken) -> float:

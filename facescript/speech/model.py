@@ -50,7 +50,7 @@ class Spoken:
     """A line as sound: mono samples at `rate` Hz in memory or in a file, words, phones, seconds.
 
     `estimated` lines have times but no sound: no voice was started for them. `doubts` are what the author should know
-    of a line that is spoken all the same.
+    of a line that is spoken all the same; `marks` are named moments that a file of times has, in seconds.
     """
 
     sound: bytes | Kept
@@ -60,6 +60,7 @@ class Spoken:
     phones: tuple[PhoneTime, ...]
     estimated: bool = False
     doubts: tuple[Doubt, ...] = ()
+    marks: tuple[tuple[str, float], ...] = ()
 
     @property
     def pcm(self) -> bytes:

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from threading import Lock
 from typing import IO
 
-HELD = 32 * 1024 * 1024
-"""Bytes of sound that stay in memory: twelve minutes of the default voice never touch the disk."""
+HELD = 24 * 1024 * 1024
+"""Bytes of sound that stay in memory: nine minutes of the default voice never touch the disk."""
 
 LOCK = Lock()
 """Where a file has one place of its own, one reads at a time."""

@@ -36,7 +36,7 @@ def recorded(way: str, rate: int = 44_100) -> Spoken:
     sound = np.frombuffer(spoken.pcm, "<i2")
     times = np.arange(round(len(sound) / spoken.rate * rate)) / rate
     pcm = np.interp(times, np.arange(len(sound)) / spoken.rate, sound).astype("<i2").tobytes()
-    taken = replace(spoken, pcm=pcm, rate=rate)
+    taken = replace(spoken, sound=pcm, rate=rate)
     if way == "aligned":
         return replace(taken, phones=tuple(replace(phone, stress=False) for phone in spoken.phones))
     if way == "words alone":
@@ -84,10 +84,10 @@ def test_brows_and_beats_come_on_accents(way: str) -> None:
 def test_silence_around_a_recording_is_no_speech() -> None:
     spoken = recorded("nothing known")
     quiet = bytes(2 * spoken.rate)
-    padded = replace(spoken, pcm=quiet + spoken.pcm + quiet, duration=spoken.duration + 2.0)
+    padded = replace(spoken, sound=quiet + spoken.pcm + quiet, duration=spoken.duration + 2.0)
     first, last = stretches(padded)[0][0], stretches(padded)[-1][1]
     assert 1.0 <= first < 1.2 and spoken.duration + 0.8 < last <= spoken.duration + 1.05
-    assert stretches(replace(spoken, pcm=b"")) == ((0.0, spoken.duration),)
+    assert stretches(replace(spoken, sound=b"")) == ((0.0, spoken.duration),)
 
 
 def test_a_word_that_the_text_stresses_is_an_accent_whoever_speaks_it(tmp_path) -> None:  # type: ignore[no-untyped-def]

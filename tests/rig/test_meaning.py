@@ -74,6 +74,30 @@ def test_closed_lips_are_closed(kind: str, muscles: list[float], lip: float, tee
 
 
 @KINDS
+def test_a_lip_that_is_drawn_in_lies_under_the_teeth(kind: str) -> None:
+    """Shape f: teeth are seen between the lips, down to the lower one, and nothing dark."""
+    rig = RIGS[kind]
+    picture = rig.draw(np.stack([REST, pose(mouth_lower=-0.2, mouth_teeth=0.6)]))
+    upper, lower = inner_edges(rig, picture)
+    seen = lower[:, 1, 1] - upper[:, 1, 1]
+    assert seen[0] < 0.4 and 2.0 < seen[1] < 12.0
+    if kind != "rodent":  # whose incisors lie over both lips
+        assert anchors(rig, picture, "mouth-teeth-upper")[1, :, 1].max() >= lower[1, 1, 1] - 0.4
+
+
+@HUMANS
+def test_the_tongue_rises_to_the_teeth_and_comes_out_below_them(kind: str) -> None:
+    rig = RIGS[kind]
+    said = {"mouth_open": 0.5, "mouth_upper": 0.2, "mouth_lower": 0.3, "mouth_teeth": 0.5}
+    picture = rig.draw(np.stack([pose(mouth_tongue=up, **said) for up in (0.0, 0.8, 1.0)]))
+    tongue = anchors(rig, picture, "mouth-tongue")
+    edge = anchors(rig, picture, "mouth-teeth-upper")[1, :, 1].max()
+    top, wide = tongue[..., 1].min(axis=1), np.ptp(tongue[..., 0], axis=1)
+    assert top[0] > edge + 3 and abs(top[1] - edge) < 2 and abs(top[2] - edge) < 2
+    assert wide[2] > wide[1] > wide[0]
+
+
+@KINDS
 def test_open_is_the_gap_at_the_middle_in_mns0(kind: str) -> None:
     rig = RIGS[kind]
     for gap in (0.25, 0.5, 1.0):

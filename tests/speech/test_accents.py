@@ -69,9 +69,15 @@ def test_without_sound_the_stress_says_where_accents_are() -> None:
     assert accents(Spoken(b"", 22_050, 0.5, (), phones[1:])) == ()
 
 
-def test_silence_and_sound_without_phones_have_none() -> None:
+def test_silence_has_no_accents() -> None:
     assert accents(replace(hum(1.0), sound=bytes(44_100))) == ()
-    assert accents(replace(hum(1.0, higher={0.5: 6.0}), phones=(PhoneTime("", 0.0, 1.0),))) == ()
+    assert accents(replace(hum(1.0, higher={0.5: 6.0}), words=(), phones=(PhoneTime("", 0.0, 1.0),))) == ()
+
+
+def test_where_no_phones_are_known_the_ear_finds_accents() -> None:
+    sound = hum(2.0, higher={0.5: 6.0, 1.5: 6.0})
+    for spoken in (replace(sound, phones=(), words=()), replace(sound, phones=(PhoneTime("", 0.0, 2.0),))):
+        assert [round(each.time, 1) for each in accents(spoken)] == [0.5, 1.5]
 
 
 def test_a_line_is_listened_to_once_and_forgotten_with_it() -> None:

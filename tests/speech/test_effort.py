@@ -86,7 +86,7 @@ def test_an_accent_in_the_sound_makes_a_vowel_whole() -> None:
 
 def test_a_line_without_sound_or_vowels_is_even() -> None:
     for spoken in (
-        replace(USUAL, pcm=b""),
+        replace(USUAL, sound=b""),
         replace(USUAL, phones=()),
         replace(USUAL, phones=(PhoneTime("s", 0, 0.4),)),
     ):

@@ -91,7 +91,8 @@ def test_any_sound_has_phones_from_its_start_to_its_end(values: NDArray[np.float
     assert (found[0].start, found[-1].end) == (0.0, pytest.approx(recording.duration)) if len(values) else not found
 
 
-def test_in_silence_the_mouth_rests() -> None:
+def test_in_silence_and_noise_the_mouth_rests() -> None:
+    assert {phone.symbol for phone in listened(sound_of(noise(2.0, 0.1)))} == {""}
     assert {phone.symbol for phone in listened(sound_of(np.zeros(RATE)))} == {""}
     assert {phone.symbol for phone in listened(sound_of(noise(1.0, 1e-4)))} == {""}
 

@@ -57,7 +57,7 @@ def close(first: float, second: float) -> bool:
     return abs(first - second) < 2e-4
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(times=some_times(), suffix=st.sampled_from([".TextGrid", ".json", ".vtt", ".srt", ".csv"]))
 def test_what_is_written_is_read_back(times: Times, suffix: str) -> None:
     assume(suffix != ".srt" or len(times.words) > 1)
@@ -85,7 +85,7 @@ def test_rhubarb_keeps_the_shapes(times: Times) -> None:
         assert abs(shapes.duration - times.duration) < 0.01
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=50, deadline=None)
 @given(
     kind=st.sampled_from([".TextGrid", ".json", ".vtt", ".srt", ".csv", ".tsv"]),
     cut=st.floats(0, 1),

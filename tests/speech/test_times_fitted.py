@@ -72,7 +72,7 @@ def test_another_text_is_told_and_spread_over_the_time() -> None:
     assert starts("my lost cup", times)[0] == ("my", 0)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(
     said=st.lists(st.sampled_from(["a", "b", "cup", "cups", "7", "世"]), min_size=1, max_size=9),
     held=st.lists(st.sampled_from(["a", "b", "cup", "seven", "界", ""]), min_size=1, max_size=9),
@@ -149,3 +149,21 @@ def test_cues_act_at_the_files_times(tmp_path: Path) -> None:
     score = compile_source(Source("script.face", script), world, EstimatedVoice(world)).score
     assert score is not None and not score.estimated
     assert sorted(act.start for act in score.acts) == [0, 3, 3.5]
+
+
+def test_marks_of_the_file_are_places(tmp_path: Path) -> None:
+    marks = [{"name": "here", "time": 1.7}, {"name": "came", "time": 9.0}, {"name": "here", "time": 2.5}]
+    world = folder_with(tmp_path, json.dumps({**json.loads(WORDS), "marks": marks}))
+    script = 'say "Mama came." timed "take.json" as hello\n    on "here": blink\nat hello."here".2 + 100ms: nod\n'
+    score = compile_source(Source("script.face", script), world, EstimatedVoice(world)).score
+    assert score is not None and sorted(act.start for act in score.acts) == [0, 1.7, 2.6]
+    for text, code in (('on "there": nod', "FS228"), ('on "here".3: nod', "FS228")):
+        source = Source("script.face", f'say "Mama came." timed "take.json"\n    {text}\n')
+        assert [item.code for item in compile_source(source, world, EstimatedVoice(world)).diagnostics] == [code]
+
+
+def test_a_broken_file_is_told_once_whatever_hangs_on_it(tmp_path: Path) -> None:
+    world = folder_with(tmp_path, "{")
+    script = 'say "Mama came." timed "take.json" as hello\n    on "here": blink\nat hello."there": nod\n'
+    found = compile_source(Source("script.face", script), world, EstimatedVoice(world)).diagnostics
+    assert [item.code for item in found] == ["FS515"]

@@ -29,6 +29,7 @@ SPOKEN = Spoken(
     (WordTime("Hi", 0, 2, 0.01, 0.1 / 3),),
     (PhoneTime("", 0.0, 0.01), PhoneTime("h", 0.01, 0.02, True)),
     doubts=(Doubt("FS509", "it is a test"),),
+    marks=(("here", 0.05),),
 )
 
 
@@ -64,7 +65,7 @@ def test_the_next_program_does_not_speak_it_again() -> None:
 
 
 def test_all_of_a_spoken_line_is_kept() -> None:
-    kept = {"sound", "rate", "duration", "words", "phones", "doubts"}
+    kept = {"sound", "rate", "duration", "words", "phones", "doubts", "marks"}
     assert {field.name for field in fields(Spoken)} == kept | {"estimated"}, "keep the new field in store.py"
     store.save("0" * 40, SPOKEN)
     assert store.load("0" * 40) == SPOKEN

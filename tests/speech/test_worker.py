@@ -95,9 +95,11 @@ class TestRealWorker:
 
     def test_an_unknown_voice_is_a_failure_and_the_worker_goes_on(self) -> None:
         espeak = Espeak()
+        espeak.speak(HELLO)
+        worker = process(espeak)
         with pytest.raises(VoiceFailure, match="no voice xx/yy"):
             espeak.speak(Utterance("Hello.", "xx/yy"))
-        assert espeak.speak(HELLO).pcm
+        assert espeak.speak(HELLO).pcm and process(espeak) is worker
 
     def test_a_killed_worker_is_started_again(self) -> None:
         espeak = Espeak()

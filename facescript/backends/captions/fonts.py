@@ -7,16 +7,12 @@ import unicodedata
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from importlib.util import find_spec
 from io import BytesIO
 from pathlib import Path
 
 from PIL import ImageFont, features
 
 from facescript.backends.job import JobFailure
-
-EXTRA = "cvttf_NotoSansCJK_Medium"
-"""The package of the extra `captions`: Noto Sans CJK, which has Europe's letters and East Asia's characters."""
 
 FOLDERS = {
     "linux": ("/usr/share/fonts", "/usr/local/share/fonts"),
@@ -43,7 +39,7 @@ BIG = 40
 SHAPED = ((0x0590, 0x08FF), (0x0900, 0x0DFF), (0x0E00, 0x109F), (0x1780, 0x17FF), (0xFB1D, 0xFDFF), (0xFE70, 0xFEFF))
 """Scripts that run from right to left, or whose signs change with their neighbours: they need Raqm."""
 
-ADVICE = "give a font that has them with `--font FILE`, or install `facescript[captions]` for Chinese, Japanese, Korean"
+ADVICE = "give a font that has them with `--font FILE`"
 
 
 @dataclass(frozen=True)
@@ -118,9 +114,9 @@ def _some(signs: str) -> str:
 
 
 def _candidates() -> Iterator[Face]:
-    """Pillow's own font, which is everywhere the same; then the extra's, and the system's."""
+    """Pillow's own font, which is everywhere the same; then the system's."""
     yield Face(None)
-    for path in (*_extra(), *_system()):
+    for path in _system():
         try:
             if path.stat().st_size <= LARGEST:
                 face = Face(path.read_bytes())
@@ -128,12 +124,6 @@ def _candidates() -> Iterator[Face]:
                 yield face
         except OSError:
             continue
-
-
-def _extra() -> list[Path]:
-    spec = find_spec(EXTRA)
-    places = spec.submodule_search_locations if spec else None
-    return [path for place in places or () for path in sorted(Path(place).glob("*.otf"))]
 
 
 @cache

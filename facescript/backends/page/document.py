@@ -14,7 +14,7 @@ from facescript.backends.job import Job
 from facescript.backends.output import Outputs
 from facescript.backends.page.figure import figure
 from facescript.backends.page.motion import Motion, motion
-from facescript.backends.page.sound import opus
+from facescript.backends.page.sound import opus, write_opus
 from facescript.backends.page.still import still
 from facescript.backends.page.template import filled, policy, with_end, with_head
 from facescript.backends.page.words import Line, lines, transcript
@@ -47,6 +47,8 @@ def write_split(job: Job, target: Path, batch: Outputs) -> None:
     folder = batch.folder(target.with_name(name))
     for file, data in made.files.items():
         batch.place(folder / file).write_bytes(data)
+    if not job.heard.silent:
+        write_opus(job.heard, batch.place(folder / SOUND))
 
 
 def page(job: Job, folder: str = "") -> Page:
@@ -78,17 +80,17 @@ def placeholders(job: Job, said: Sequence[Line]) -> dict[str, str]:
 def assembled(job: Job, template: str, parts: Mapping[str, str], folder: str = "", scripts: Sequence[str] = ()) -> Page:
     """A template with its placeholders' `parts`, the player, further `scripts`, and the film they play."""
     script = f'(() => {{\n"use strict";\n{resource("face.js")}\n{resource("player.js")}\n}})();\n'
-    sound, moved = opus(job.heard), motion(job)
+    moved = motion(job)
     film = {
         **figure(job.stage, moved),
         "duration": round(job.end - job.start, 3),
         "folder": quote(folder),
         "headlines": _headlines(job),
     }
-    address, files, motions = _within(sound, moved) if not folder else _beside(sound, moved, quote(folder))
+    address, files, motions = _beside(job, moved, quote(folder)) if folder else _within(job, moved)
     end = [
         '<div class="fs-hidden" role="status" data-facescript="told"></div>',
-        f'<audio preload="auto" data-facescript="sound" src="{address}"></audio>' if sound else "",
+        f'<audio preload="auto" data-facescript="sound" src="{address}"></audio>' if address else "",
         f'<script type="application/json" id="facescript-film">{_json(film)}</script>',
         motions,
         *(f"<script>{text}</script>" for text in (script, *scripts)),
@@ -139,8 +141,9 @@ def _face(job: Job, title: str) -> str:
     )
 
 
-def _within(sound: bytes | None, moved: Motion) -> tuple[str, dict[str, bytes], str]:
+def _within(job: Job, moved: Motion) -> tuple[str, dict[str, bytes], str]:
     """Sound and motion in the page: the sound's address, no files, and the parts as elements."""
+    sound = opus(job.heard)
     address = f"data:audio/webm;base64,{base64.b64encode(sound).decode('ascii')}" if sound else ""
     parts = (
         f'<script type="text/plain" id="facescript-part-{number}">{part.rows}</script>'
@@ -149,12 +152,13 @@ def _within(sound: bytes | None, moved: Motion) -> tuple[str, dict[str, bytes], 
     return address, {}, "\n".join(parts)
 
 
-def _beside(sound: bytes | None, moved: Motion, folder: str) -> tuple[str, dict[str, bytes], str]:
-    """Sound and motion in files of the folder, motion as scripts: a page that lies on a disk may not fetch data."""
+def _beside(job: Job, moved: Motion, folder: str) -> tuple[str, dict[str, bytes], str]:
+    """Motion in files of the folder, as scripts: a page that lies on a disk may not fetch data. The sound's address is
+    that of a file which is still to be written: hours of it are not held."""
     files = {
         f"{number}.js": f'facescript.part({number},"{part.rows}")\n'.encode() for number, part in enumerate(moved.parts)
     }
-    return f"{folder}/{SOUND}", files | ({SOUND: sound} if sound else {}), ""
+    return "" if job.heard.silent else f"{folder}/{SOUND}", files, ""
 
 
 def _json(value: object) -> str:

@@ -29,7 +29,7 @@ the quickest blinks and looks is 3 px off at worst (6 px at 30 a second)."""
 PART = 60.0
 """Seconds of a part."""
 
-PIECE = 1_500_000
+PIECE = 400_000
 """Coordinates drawn at once."""
 
 SAMPLE = 240

@@ -24,6 +24,11 @@ def write_mp3(sound: Soundtrack, path: Path) -> None:
     _write(sound, MP3, path)
 
 
+def write_opus(sound: Soundtrack, path: Path) -> None:
+    """WebM, mono, at 48 kbit a second. Raises `JobFailure`."""
+    _write(sound, OPUS, path)
+
+
 def mp3(sound: Soundtrack) -> bytes | None:
     """An MP3 file's bytes; None where the sound is silent throughout. Raises `JobFailure`."""
     return _encoded(sound, MP3)

@@ -1,12 +1,10 @@
-"""Codes FS51x and FS95x, recordings with their words."""
+"""Codes FS510 to FS512 and FS950 to FS952, recordings with their words."""
 
 from __future__ import annotations
 
 from facescript.diagnostics.catalogue.model import Entry
+from facescript.diagnostics.catalogue.speech import SILENCE
 from facescript.diagnostics.model import Severity
-
-_QUIET = "RIFF\x24\x20\0\0WAVEfmt \x10\0\0\0\1\0\1\0\0\x20\0\0\0\x40\0\0\2\0\x10\0data\0\x20\0\0" + "\0" * 0x2000
-"""A WAV file of half a second without sound, every byte of it ASCII."""
 
 _HELLO = 'say "Hello."\n'
 
@@ -19,7 +17,7 @@ RECORDINGS: tuple[Entry, ...] = (
         'say "Hello." from "take.wav"\n',
         _HELLO,
         "The words are put where they fit best, or spread over the speech that there is. `take.wav` is silent here.",
-        files={"take.wav": _QUIET},
+        files={"take.wav": SILENCE},
         stage="build",
     ),
     Entry(
@@ -30,6 +28,16 @@ RECORDINGS: tuple[Entry, ...] = (
         'say "Hello. The rest was cut off." from "take.wav"\n',
         'say "Hello." from "take.wav"\n',
         "What is not heard has no time of its own.",
+        stage="unforced",
+    ),
+    Entry(
+        "FS512",
+        "recording-unclear",
+        Severity.WARNING,
+        "Two ways of finding the words do not agree: {reason}.",
+        'say "Hello." from "take.wav"\n',
+        _HELLO,
+        "English is aligned twice where PocketSphinx is installed; look whether the words there are at their place.",
         stage="unforced",
     ),
     Entry(
@@ -53,5 +61,15 @@ RECORDINGS: tuple[Entry, ...] = (
         "Choose the pause after the first sentence, `--pause 1.2s 1.65s`, or `--pause first`.",
         stage="command",
         command=("align", "take.wav", "script.face", "--pause", "2s", "1s"),
+    ),
+    Entry(
+        "FS952",
+        "align-extra",
+        Severity.ERROR,
+        "PocketSphinx is not installed: `pip install 'facescript[english]'`; without `--by` the voice aligns.",
+        _HELLO,
+        _HELLO,
+        "It finds the phones of English recordings somewhat nearer, and takes four times as long.",
+        stage="unforced",
     ),
 )

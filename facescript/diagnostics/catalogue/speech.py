@@ -5,7 +5,7 @@ from __future__ import annotations
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.model import Severity
 
-_SILENCE = "RIFF\x24\x20\0\0WAVEfmt \x10\0\0\0\1\0\1\0\0\x20\0\0\0\x40\0\0\2\0\x10\0data\0\x20\0\0" + "\0" * 0x2000
+SILENCE = "RIFF\x24\x20\0\0WAVEfmt \x10\0\0\0\1\0\1\0\0\x20\0\0\0\x40\0\0\2\0\x10\0data\0\x20\0\0" + "\0" * 0x2000
 """A WAV file of half a second without sound, every byte of it ASCII."""
 
 SPEECH: tuple[Entry, ...] = (
@@ -54,7 +54,7 @@ SPEECH: tuple[Entry, ...] = (
         "FS506",
         "recording-changed",
         Severity.ERROR,
-        "A recording is heard as it was spoken; `{name}` is for a voice.",
+        "A recording is heard, and the times of a file are kept, as they are; `{name}` is for a voice.",
         'say "Hello." from "take.wav", rate 90%\n',
         'say "Hello.", rate 90%\n',
         "`volume` is for both.",
@@ -159,7 +159,7 @@ SPEECH: tuple[Entry, ...] = (
         'say from "silence.wav"\n',
         'say "Hello."\n',
         "The mouth stays closed while it plays. `silence.wav` is half a second without sound.",
-        files={"silence.wav": _SILENCE},
+        files={"silence.wav": SILENCE},
         stage="build",
     ),
     Entry(
@@ -191,6 +191,31 @@ SPEECH: tuple[Entry, ...] = (
         "A voice that an author brings, or a file of times, has a sound that the table of visemes does not: a "
         'definition such as `viseme "ꙮ" = "o"` says what the mouth does. All voices of espeak-ng are in the table.',
         stage="unforced",
+    ),
+    Entry(
+        "FS526",
+        "recording-breaks-off",
+        Severity.WARNING,
+        "The recording breaks off: {reason}.",
+        'say "Hello." from "take.wav" timed "take.csv"\n',
+        'say "Hello."\n',
+        "What is there is heard. A copy or a download that was not finished, as a rule: fetch the file again.",
+        files={"take.wav": _SILENCE[:-0x1000], "take.csv": "word,start,end\nhello,0,0.2\n"},
+        stage="build",
+    ),
+    Entry(
+        "FS527",
+        "recording-clipped",
+        Severity.WARNING,
+        "The recording is clipped: {reason}.",
+        'say "Hello." from "take.wav" timed "take.csv"\n',
+        'say "Hello."\n',
+        "It was recorded too loud, and sounds rough; `volume` only makes that quieter. Record it again, at less gain.",
+        files={
+            "take.wav": _SILENCE[:44] + "\x7f" * 0x2000,
+            "take.csv": "word,start,end\nhello,0,0.2\n",
+        },
+        stage="build",
     ),
     Entry(
         "FS535",

@@ -17,11 +17,14 @@ from facescript.speech.align.features import spectrum
 from facescript.speech.align.likeness import Likeness, confidences, doubts, unlike
 from facescript.speech.align.piece import Heard, heard
 from facescript.speech.align.reference import HOP, Reference, joined, reference
+from facescript.speech.align.second import Part, better
 from facescript.speech.align.segments import fitting, pauses_between
 from facescript.speech.align.sentences import sentences
+from facescript.speech.align.sphinx import Utterance, starts
 from facescript.speech.espeak.parts import RATE
+from facescript.speech.listen.loop import installed
 from facescript.speech.model import Doubt, PhoneTime, Spoken, VoiceBox, WordTime
-from facescript.speech.sound.recording import Recording
+from facescript.speech.sound.recording import Recording, Samples
 from facescript.speech.timing.fitting import fitted, voiced
 from facescript.speech.timing.times import Times
 
@@ -47,18 +50,18 @@ class _Task:
     stretch: Stretch
 
 
-@dataclass(frozen=True, slots=True)
-class _Part:
-    """What is heard in a task, and when its phones begin as people label them."""
-
-    heard: Heard
-    labelled: list[float]
-
-
-def aligned(recording: Recording, line: Say, voice: VoiceBox, pauses: Sequence[Stretch] | None = None) -> Alignment:
-    """The words of a line in its recording, cut into sentences at `pauses`, or else where it fits best. Raises
-    `VoiceFailure` where the voice cannot say the line."""
-    return _Aligner(recording, line, voice).aligned(pauses)
+def aligned(
+    recording: Recording,
+    line: Say,
+    voice: VoiceBox,
+    pauses: Sequence[Stretch] | None = None,
+    by_voice_alone: bool = False,
+) -> Alignment:
+    """The words of a line in its recording, cut into sentences at `pauses`, or else where it fits best. English is
+    looked over by PocketSphinx where it is installed, unless `by_voice_alone`. Raises `VoiceFailure` where the voice
+    cannot say the line."""
+    english = line.voice.language.lower().split("-")[0] == "en"
+    return _Aligner(recording, line, voice).aligned(pauses, english and not by_voice_alone and installed())
 
 
 class _Aligner:
@@ -69,15 +72,16 @@ class _Aligner:
         self.bands = spectrum(recording.samples, recording.rate, HOP)
         self.spoken = speaking(self.bands, HOP)
         self.spans = sentences(line)
-        self.first = [reference(line, span, VOICES[0], voice) for span in self.spans]
+        self.first = [self._reference(span, VOICES[0]) for span in self.spans]
 
-    def aligned(self, pauses: Sequence[Stretch] | None) -> Alignment:
+    def aligned(self, pauses: Sequence[Stretch] | None, twice: bool) -> Alignment:
         unlikely = unlike(self.spoken, sum(each.duration for each in self.first))
         if unlikely:
             return self._spread(unlikely)
         way = course(self.bands, self.spoken, self.first)
         tasks = self._tasks(self._cuts(way, pauses))
-        return self._joined([self._part(task, way) for task in tasks])
+        parts = [self._part(task, way) for task in tasks]
+        return self._joined(self._again(parts) if twice else parts)
 
     def _cuts(self, way: Course, pauses: Sequence[Stretch] | None) -> Sequence[Stretch | None]:
         """For each sentence but the first the pause before it; as many as were chosen are one each."""
@@ -102,22 +106,38 @@ class _Aligner:
             return Stretch(begin, end)
         return Stretch(max(inside[0].start, begin), min(inside[-1].end, end))
 
-    def _part(self, task: _Task, way: Course) -> _Part:
+    def _part(self, task: _Task, way: Course) -> Part:
         first = max(round((task.stretch.start - QUIET) / HOP), 0)
         bands = self.bands[first : max(round((task.stretch.end + QUIET) / HOP), first) + 1]
         before = sum(len(each.bands) for each in self.first[: task.first])
         found = heard(bands, first, way.between(first, len(bands)) - before, self._voices(task))
+        edges = Edges(self._samples(found), self.recording.rate, first * HOP)
+        return Part(found, edges.labelled(found.phones))
+
+    def _samples(self, found: Heard) -> Samples:
+        """The sound in which something was found."""
         rate = self.recording.rate
-        begin, end = round(first * HOP * rate), round((first + len(bands)) * HOP * rate)
-        edges = Edges(self.recording.samples[begin:end], rate, begin / rate)
-        return _Part(found, edges.labelled(found.phones))
+        last = found.first + len(found.likeness)
+        return self.recording.samples[round(found.first * HOP * rate) : round(last * HOP * rate)]
+
+    def _again(self, parts: Sequence[Part]) -> list[Part]:
+        """The parts with the starts that PocketSphinx finds, where they are plausible."""
+        rate = self.recording.rate
+        asked = [
+            Utterance(self._samples(part.heard), rate, part.heard.first * HOP, part.heard.words, part.heard.phones)
+            for part in parts
+        ]
+        return [better(part, begun) for part, begun in zip(parts, starts(asked), strict=True)]
+
+    def _reference(self, span: tuple[int, int], variant: str) -> Reference:
+        return reference(self.line, span, variant, self.voice, self.bands.shape[1])
 
     def _voices(self, task: _Task) -> list[Reference]:
         spans = self.spans[task.first : task.last]
-        others = (joined([reference(self.line, span, name, self.voice) for span in spans]) for name in VOICES[1:])
+        others = (joined([self._reference(span, name) for span in spans]) for name in VOICES[1:])
         return [joined(self.first[task.first : task.last]), *others]
 
-    def _joined(self, parts: Sequence[_Part]) -> Alignment:
+    def _joined(self, parts: Sequence[Part]) -> Alignment:
         """The parts one after another, with the silences between them."""
         words: list[WordTime] = []
         phones: list[PhoneTime] = []
@@ -130,7 +150,7 @@ class _Aligner:
         _be_silent(phones, labelled, self.recording.duration)
         likeness = [Likeness(part.heard.first, part.heard.likeness) for part in parts]
         sure = confidences(words, likeness)
-        found = doubts(words, sure, likeness)
+        found = (*doubts(words, sure, likeness), *(doubt for part in parts for doubt in part.doubts))
         return Alignment(tuple(words), sure, tuple(phones), tuple(labelled), self.recording.duration, found)
 
     def _spread(self, doubt: Doubt) -> Alignment:

@@ -26,12 +26,12 @@ class Reference:
     duration: float
 
 
-def reference(line: Say, span: tuple[int, int], variant: str, voice: VoiceBox) -> Reference:
-    """How a voice says the characters `span` of a line. Raises `VoiceFailure`."""
+def reference(line: Say, span: tuple[int, int], variant: str, voice: VoiceBox, count: int) -> Reference:
+    """How a voice says the characters `span` of a line, in the lowest `count` bands. Raises `VoiceFailure`."""
     part = part_of(line, *span)
     manner = replace(part.voice, variant=variant, rate=1.0, pitch=1.0, volume=1.0)
     spoken = voice.speak(replace(part, voice=manner))
-    bands = spectrum(np.frombuffer(spoken.pcm, "<i2"), spoken.rate, HOP)
+    bands = spectrum(np.frombuffer(spoken.pcm, "<i2"), spoken.rate, HOP)[:, :count]
     words = tuple(replace(word, first=word.first + span[0], last=word.last + span[0]) for word in spoken.words)
     return Reference(bands, words, spoken.phones, spoken.duration)
 

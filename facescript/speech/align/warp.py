@@ -20,7 +20,7 @@ TOLLS = (0.15, 0.0, 0.15, 0.375)
 
 LEAPS = len(TOLLS) - 1
 
-UNSAID = 0.05
+UNSAID = 0.12
 """What a frame of the voice costs that is left out at the start or at the end: a recording may lack words there."""
 
 FAR = np.float32(1e9)

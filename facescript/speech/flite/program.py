@@ -11,17 +11,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from facescript.speech.model import PhoneTime, VoiceFailure
+from facescript.speech.timing.alphabets import ARPABET
 
 SECONDS = 60.0
 """A call that takes longer is ended."""
 
-_SYMBOLS = """
-aa=ɑ ae=æ ah=ʌ ao=ɔ aw=aʊ ax=ə axr=ɚ ay=aɪ b=b ch=tʃ d=d dh=ð dx=ɾ eh=ɛ el=l̩ em=m̩ en=n̩ er=ɝ ey=eɪ f=f g=ɡ hh=h hv=ɦ
-ih=ɪ iy=i jh=dʒ k=k l=l m=m n=n ng=ŋ nx=ɾ̃ ow=oʊ oy=ɔɪ p=p r=ɹ s=s sh=ʃ t=t th=θ uh=ʊ uw=u v=v w=w y=j z=z zh=ʒ
-pau= ssil= brth=
-"""
-SYMBOLS = dict(pair.split("=") for pair in _SYMBOLS.split())
-"""flite's names of phones as IPA; "" is silence."""
+SILENCES = ("pau", "ssil", "brth")
 
 PHONE = re.compile(r"(\w+):([\d.]+)")
 
@@ -81,7 +76,7 @@ def words_apart(words: list[str], manner: Manner) -> list[tuple[str, ...]]:
         path = Path(folder) / "words.txt"
         path.write_text("".join(f"{word}.\n\n" for word in words), "ascii")
         lines = _run([*manner.words(), "-ps", "-f", str(path), "-o", "none"]).strip().splitlines()
-    found = [tuple(symbol for name in line.split() if (symbol := SYMBOLS.get(name, name))) for line in lines]
+    found = [tuple(symbol for name in line.split() if (symbol := _ipa(name))) for line in lines]
     return found if len(found) == len(words) else []
 
 
@@ -90,9 +85,14 @@ def _phones(said: str, total: float) -> tuple[PhoneTime, ...]:
     start = 0.0
     for name, end in PHONE.findall(said):
         if min(float(end), total) > start:
-            phones.append(PhoneTime(SYMBOLS.get(name, name), start, min(float(end), total)))
+            phones.append(PhoneTime(_ipa(name), start, min(float(end), total)))
             start = phones[-1].end
     return tuple(phones)
+
+
+def _ipa(name: str) -> str:
+    """A phone of flite as IPA; "" is silence."""
+    return "" if name in SILENCES else ARPABET.get(name.upper(), name)
 
 
 def _run(words: list[str]) -> str:

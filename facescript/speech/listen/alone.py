@@ -7,7 +7,7 @@ from facescript.speech.listen.loop import installed, looped
 from facescript.speech.model import Doubt, Spoken
 from facescript.speech.sound.recording import Recording
 
-UNHEARD = Doubt("FS521", "there is only silence in it")
+UNHEARD = Doubt("FS521", "there is only silence or noise in it")
 
 
 def alone(recording: Recording, language: str) -> Spoken:
@@ -17,6 +17,5 @@ def alone(recording: Recording, language: str) -> Spoken:
     """
     english = language.lower().split("-")[0] == "en" and installed()
     phones = looped(recording) if english else listened(recording)
-    doubts = () if any(phone.symbol for phone in phones) else (UNHEARD,)
-    sound = recording.samples.astype("<i2").tobytes()
-    return Spoken(sound, recording.rate, recording.duration, (), phones, doubts=doubts)
+    doubts = recording.doubts if any(phone.symbol for phone in phones) else (*recording.doubts, UNHEARD)
+    return Spoken(recording.pcm, recording.rate, recording.duration, (), phones, doubts=doubts)

@@ -112,7 +112,7 @@ def filters(rate: int, centres: tuple[float, ...] = CENTRES) -> Singles:
 
 def _f0(samples: Samples, rate: int, count: int) -> Singles:
     """F0 in the middle of each frame."""
-    tracked = prosody(samples.astype("<i2").tobytes(), rate).f0
+    tracked = prosody(np.ascontiguousarray(samples, dtype="<i2").data, rate).f0
     middles = (np.arange(count) + 0.5) / FRAMES_A_SECOND
     places = np.minimum(np.rint(middles / HOP).astype(np.intp), len(tracked) - 1)
     found: Singles = tracked[places].astype(np.float32) if len(tracked) else np.zeros(count, dtype=np.float32)

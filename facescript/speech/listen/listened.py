@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from facescript.speech.listen.bands import ENERGY, FRAMES_A_SECOND, features
+from facescript.speech.listen.bands import ENERGY, F0, FRAMES_A_SECOND, features
 from facescript.speech.listen.classes import CLASS, CLASSES, SOUNDS, SYMBOLS
 from facescript.speech.listen.network import BANDS, network
 from facescript.speech.listen.path import best_path
@@ -30,6 +30,9 @@ QUIETEST = -5.0
 
 FAINTEST = np.float32(1e-6)
 
+STEADY, VOICED = 1.0, 0.05
+"""Powers of ten that the energy of noise stays within, and the part of its frames that may seem to have a voice."""
+
 LOUD = 0.65
 """The share of a recording's vowels, by their energy, that are no louder than its stressed ones."""
 
@@ -43,10 +46,19 @@ def listened(recording: Recording) -> tuple[PhoneTime, ...]:
     `stress` is among the recording's louder ones. A pure function.
     """
     found = features(recording.samples, recording.rate, BANDS)
-    if found[:, ENERGY].max(initial=QUIETEST) <= QUIETEST:
+    if not _may_be_speech(found):
         return (PhoneTime("", 0.0, recording.duration),) if len(found) else ()
     scores = network().scores(found)
     return tuple(_phones(_sounds(scores), found[:, ENERGY], recording.duration))
+
+
+def _may_be_speech(found: Singles) -> bool:
+    """Whether there is more than silence, or noise that is always as loud."""
+    energy = found[:, ENERGY]
+    if energy.max(initial=QUIETEST) <= QUIETEST:
+        return False
+    low, high = np.percentile(energy, (10.0, 95.0))
+    return bool(high - low > STEADY or (found[:, F0] > 0.0).mean() > VOICED)
 
 
 def _sounds(scores: Singles) -> Numbers:

@@ -1,4 +1,4 @@
-"""How likely each state is in each frame to the best path of states as a whole (Viterbi; states last a while)."""
+"""How likely each state is in each frame to the path of states that is best as a whole (Viterbi; a state lasts)."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import log10, tanh
@@ -49,13 +50,14 @@ class Effort:
         self.line = _way(self._above)
 
     def jaw(self, phone: PhoneTime) -> float:
-        """How far the jaw goes in a phone, 1 as usual."""
+        """How far the jaw goes in a vowel, 1 as usual."""
         found = _decibels(self._sound, phone) if self._sound else None
         return self.line if found is None else _way(self._above + INSIDE * (found - self._level))
 
     def stress(self, phone: PhoneTime) -> float:
         """How much a phone stands out by pitch and loudness, 0..1."""
-        return max((one.strength for one in self._accents if phone.start <= one.time < phone.end), default=0.0)
+        low, high = (bisect_left(self._accents, time, key=lambda one: one.time) for time in (phone.start, phone.end))
+        return max((one.strength for one in self._accents[low:high]), default=0.0)
 
 
 def normal_level(lines: Sequence[Spoken]) -> float:
@@ -74,8 +76,6 @@ class _Level:
 
 def _level(spoken: Spoken) -> _Level | None:
     """None where there is no vowel, or no sound."""
-    if not spoken.pcm:
-        return None
     sound = heard(spoken).prosody
     vowels = [phone for phone in spoken.phones if _is_vowel(phone)]
     found = [level for level in (_decibels(sound, phone) for phone in vowels) if level is not None]

@@ -137,7 +137,7 @@ def _sounding(phone: PhoneTime, after: PhoneTime | None, manner: Manner) -> list
         if viseme.kind == "vowel":
             shapes.append(_vowel(viseme, start, share, phone, manner.effort))
         else:
-            shapes.append(_consonant(viseme, start, share, manner.closing, manner.effort.jaw(phone)))
+            shapes.append(_consonant(viseme, start, share, manner.closing, manner.effort.line))
     return shapes
 
 

@@ -6,13 +6,17 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 
 from facescript.speech.model import PhoneTime
+from facescript.speech.mouth.visemes import visemes
 
 STRESS, WEAK = "ˈ", "ˌ"
 
 
 def phones(sounds: Iterable[tuple[str, int]], rate: int) -> tuple[PhoneTime, ...]:
-    """The phones of a sentence one after another. A mark belongs to the letter that it stands at, a space to what is
-    before it; all else, and what stands before the first sound and behind the last, is silence."""
+    """The phones of a sentence one after another; a stress is on the vowel that comes next.
+
+    A mark belongs to the letter that it stands at, a space to what is before it; all else, and what stands before the
+    first sound and behind the last, is silence.
+    """
     found: list[PhoneTime] = []
     start, at, stress = 0, 0, False
     for sign, samples in sounds:
@@ -26,8 +30,9 @@ def phones(sounds: Iterable[tuple[str, int]], rate: int) -> tuple[PhoneTime, ...
             found[-1] = PhoneTime(symbol, last.start, at / rate, last.stress)
         else:
             symbol = sign if _is_letter(sign) else ""
-            found.append(PhoneTime(symbol, start / rate, at / rate, stress and bool(symbol)))
-            stress = stress and not symbol
+            vowel = any(shape.kind == "vowel" for shape in visemes(symbol)[:1])
+            found.append(PhoneTime(symbol, start / rate, at / rate, stress and vowel))
+            stress = stress and not vowel
         start = at
     return tuple(phone for phone in found if phone.end > phone.start)
 

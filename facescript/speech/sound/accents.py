@@ -142,9 +142,10 @@ def _loud(sound: Prosody, duration: float) -> tuple[tuple[float, float], ...]:
 
 
 def _syllables(spoken: Spoken, sound: Prosody) -> Iterator[PhoneTime]:
-    """The phones of a line that sound; where nobody knows them, pieces of its sound as long as half a syllable."""
+    """The phones of a line that sound; where nobody knows them, pieces of its sound as long as half a syllable. Silence
+    alone, without words, is known to be silence."""
     phones = [phone for phone in spoken.phones if phone.symbol]
-    if phones:
+    if phones or (spoken.phones and not spoken.words):
         yield from phones
         return
     for start, end in _loud(sound, spoken.duration):
@@ -157,9 +158,9 @@ def _peaks(spoken: Spoken, sound: Prosody) -> Iterator[Accent]:
     """The most prominent frame of every phone; its strength is the prominence, and at least `EMPHASIS` once in a word
     that the text stresses."""
     found = list(_phone_peaks(spoken, sound))
-    for word in spoken.words:
+    for word in (each for each in spoken.words if each.stress):
         inside = [place for place, one in enumerate(found) if word.start <= one.time < word.end]
-        if word.stress and inside:
+        if inside:
             place = max(inside, key=lambda each: found[each].strength)
             found[place] = replace(found[place], strength=max(found[place].strength, 0.0) + EMPHASIS)
     return iter(found)

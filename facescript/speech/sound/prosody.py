@@ -71,7 +71,7 @@ class Prosody:
         return self.f0 > 0.0
 
 
-def prosody(pcm: bytes, rate: int) -> Prosody:
+def prosody(pcm: bytes | memoryview, rate: int) -> Prosody:
     """The prosody of a sound: mono samples (16-bit little-endian) at `rate` Hz, at least 4,000. A pure function."""
     samples = np.frombuffer(pcm, dtype="<i2")
     count = int(len(samples) / rate / HOP) + 1 if len(samples) else 0

@@ -25,7 +25,9 @@ def timed(line: Say, world: World, voice: VoiceBox, sound: Spoken | None) -> Spo
     placed = fitted(times, line)
     base = sound or Spoken(b"", RATE, times.duration, (), ())
     phones = placed.phones or _spoken(line, times, placed, voice)
-    return _within(replace(base, words=placed.words, phones=phones, doubts=placed.doubts), sound is not None)
+    doubts = (*base.doubts, *placed.doubts)
+    spoken = replace(base, words=placed.words, phones=phones, doubts=doubts, marks=_marks(times))
+    return _within(spoken, sound is not None)
 
 
 def estimated(line: Say, world: World) -> Spoken:
@@ -33,8 +35,20 @@ def estimated(line: Say, world: World) -> Spoken:
     times = times_named(line, world)
     placed = fitted(times, line)
     phones = placed.phones or (PhoneTime("", 0.0, times.duration),)
-    known = line.recording is None
-    return Spoken(b"", RATE, times.duration, placed.words, phones, estimated=not known, doubts=placed.doubts)
+    guessed = line.recording is not None
+    return Spoken(b"", RATE, times.duration, placed.words, phones, guessed, placed.doubts, _marks(times))
+
+
+def has_mark(line: Say, world: World, name: str, nth: int) -> bool:
+    """Whether the line's file of times has the `nth` mark `name`; of a file that cannot be used it is not told here."""
+    try:
+        return 1 <= nth <= [mark for mark, _ in _marks(times_named(line, world))].count(name)
+    except VoiceFailure:
+        return True
+
+
+def _marks(times: Times) -> tuple[tuple[str, float], ...]:
+    return tuple((mark.name, mark.time) for mark in times.marks)
 
 
 def times_named(line: Say, world: World) -> Times:

@@ -13,7 +13,7 @@ from facescript.speech.model import Spoken
 from facescript.speech.voices import store
 from facescript.speech.voices.engine import Engine, Prompt
 
-LARGEST = 64 * 1024 * 1024
+LARGEST = 24 * 1024 * 1024
 """Bytes of sound kept in memory; what was used longest ago goes first."""
 
 

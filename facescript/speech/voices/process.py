@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import atexit
 import json
+import math
 import os
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -44,23 +46,31 @@ class Worker:
         on before is passed over.
         """
         with self._lock():
-            given = 0
-            for again in (True, False):
-                try:
-                    for number, part in enumerate(self._parts(request)):
-                        if number >= given:
-                            given += 1
-                            take(part)
-                    return
-                except Broken as fault:
-                    self.close()
-                    if fault.late:
-                        raise VoiceFailure(f"it did not answer within {self._seconds:g} s") from None
-                    if not again:
-                        raise VoiceFailure("it broke off") from None
-                except BaseException:  # part of the answer is still in the pipe
-                    self.close()
-                    raise
+            last = self._last(request, take)
+        if "failure" in last:
+            raise VoiceFailure(last["failure"], last.get("code", "FS501"))
+
+    def _last(self, request: dict[str, Any], take: Callable[[Answer], None]) -> dict[str, Any]:
+        """The head of the last part, when all have been handed on; it may be a failure."""
+        given = 0
+        again = True
+        while True:
+            try:
+                for number, part in enumerate(self._parts(request)):
+                    if number >= given and "failure" not in part[0]:
+                        given += 1
+                        take(part)
+                return part[0]
+            except Broken as fault:
+                self.close()
+                if fault.late:
+                    raise VoiceFailure(f"it did not answer within {self._seconds:g} s") from None
+                if not again:
+                    raise VoiceFailure("it broke off") from None
+                again = False
+            except BaseException:  # part of the answer is still in the pipe
+                self.close()
+                raise
 
     def close(self) -> None:
         """End the worker; the next question starts another."""
@@ -79,26 +89,24 @@ class Worker:
         return self._locks.setdefault(os.getpid(), threading.Lock())
 
     def _parts(self, request: dict[str, Any]) -> Iterator[Answer]:
-        """The parts of the answer. Raises `Broken`, `VoiceFailure`."""
+        """The parts of the answer, of which there is at least one. Raises `Broken`, `VoiceFailure`."""
         process = self._running()
         assert process.stdin is not None
         assert process.stdout is not None
         question = framed(json.dumps(request).encode())
         more = True
-        while more:
-            with _Clock(process, self._seconds) as clock:
+        with _Clock(process, self._seconds) as clock:
+            while more:
                 try:
-                    if question:
+                    with clock.running():
                         process.stdin.write(question)
                         process.stdin.flush()
                         question = b""
-                    part = read_part(process.stdout)
+                        part = read_part(process.stdout)
                 except (OSError, ValueError, EOFError):
                     raise Broken(clock.late) from None
-            if "failure" in part[0]:
-                raise VoiceFailure(part[0]["failure"], part[0].get("code", "FS501"))
-            more = bool(part[0].get("more"))
-            yield part
+                more = bool(part[0].get("more"))
+                yield part
 
     def _running(self) -> subprocess.Popen[bytes]:
         """The worker of this process: a fork's child must not share its parent's pipe."""
@@ -121,21 +129,33 @@ class Worker:
 
 
 class _Clock:
-    """Ends a process that takes too long inside the block; `late` tells of it."""
+    """Ends a process that takes too long at once; `late` tells of it. It stands still while nobody waits."""
 
     def __init__(self, process: subprocess.Popen[bytes], seconds: float) -> None:
         self.late = False
-        self._process = process
-        self._timer = threading.Timer(seconds, self._end)
-        self._timer.daemon = True  # an interrupt before it is cancelled must not keep the program waiting
+        self._process, self._seconds = process, seconds
+        self._end = math.inf
+        self._over = threading.Event()
 
     def __enter__(self) -> _Clock:
-        self._timer.start()
+        # an interrupt before it is stopped must not keep the program waiting
+        threading.Thread(target=self._watch, daemon=True).start()
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._timer.cancel()
+        self._over.set()
 
-    def _end(self) -> None:
-        self.late = True
-        self._process.kill()
+    @contextmanager
+    def running(self) -> Iterator[None]:
+        self._end = time.monotonic() + self._seconds
+        yield
+        self._end = math.inf
+
+    def _watch(self) -> None:
+        rest = self._seconds
+        while not self._over.wait(min(rest, self._seconds)):
+            rest = self._end - time.monotonic()
+            if rest <= 0:
+                self.late = True
+                self._process.kill()
+                return

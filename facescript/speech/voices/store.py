@@ -40,11 +40,11 @@ def load(key: str) -> Spoken | None:
 def save(key: str, spoken: Spoken) -> None:
     """Keep a spoken line."""
     words, phones, doubts = ([astuple(one) for one in part] for part in (spoken.words, spoken.phones, spoken.doubts))
-    ROOM.save(key, [spoken.rate, spoken.duration, words, phones, doubts], spoken.pcm)
+    ROOM.save(key, [spoken.rate, spoken.duration, words, phones, doubts, spoken.marks], spoken.pcm)
 
 
 def _spoken(head: Any, pcm: bytes) -> Spoken:
-    rate, duration, words, phones, doubts = head
+    rate, duration, words, phones, doubts, marks = head
     return Spoken(
         pcm,
         rate,
@@ -52,14 +52,15 @@ def _spoken(head: Any, pcm: bytes) -> Spoken:
         tuple(WordTime(*word) for word in words),
         tuple(PhoneTime(*phone) for phone in phones),
         doubts=tuple(Doubt(*doubt) for doubt in doubts),
+        marks=tuple((name, time) for name, time in marks),
     )
 
 
 @cache
 def _sources() -> str:
-    """A digest of this package: what another version made is not its own."""
+    """A digest of this package and its tables: what another version made is not its own."""
     speech = Path(__file__).parents[1]
     digest = hashlib.sha256()
-    for path in sorted(speech.rglob("*.py")):
+    for path in sorted(path for path in speech.rglob("*.*") if path.suffix in (".py", ".txt", ".json")):
         digest.update(hashlib.sha256(path.read_bytes()).digest())
     return digest.hexdigest()
