@@ -200,7 +200,7 @@ SPEECH: tuple[Entry, ...] = (
         'say "Hello." from "take.wav" timed "take.csv"\n',
         'say "Hello."\n',
         "What is there is heard. A copy or a download that was not finished, as a rule: fetch the file again.",
-        files={"take.wav": _SILENCE[:-0x1000], "take.csv": "word,start,end\nhello,0,0.2\n"},
+        files={"take.wav": SILENCE[:-0x1000], "take.csv": "word,start,end\nhello,0,0.2\n"},
         stage="build",
     ),
     Entry(
@@ -212,7 +212,7 @@ SPEECH: tuple[Entry, ...] = (
         'say "Hello."\n',
         "It was recorded too loud, and sounds rough; `volume` only makes that quieter. Record it again, at less gain.",
         files={
-            "take.wav": _SILENCE[:44] + "\x7f" * 0x2000,
+            "take.wav": SILENCE[:44] + "\x7f" * 0x2000,
             "take.csv": "word,start,end\nhello,0,0.2\n",
         },
         stage="build",
