@@ -183,6 +183,7 @@ on("face", "click", (element, event) => event.target.closest("button, a") || KEY
 
 const words = [...document.querySelectorAll(".fs-word")];
 const starts = words.map((word) => Number(word.dataset.start)), ends = words.map((word) => Number(word.dataset.end));
+const order = words.map((word, number) => number).sort((one_, two_) => starts[one_] - starts[two_]);
 const cues = words.flatMap((word, number) => "cue" in word.dataset ? [number] : []);
 const LINGER = 0.6;  // seconds that a caption stays when nothing is said
 let lit, cue, touched = 0;
@@ -198,7 +199,8 @@ function follow(time) {
   tellTime(time);
   const [, headline] = film.headlines[lastOf(film.headlines, time + 1e-3, ([start]) => start)];
   for (const element of all("headline")) if (element.textContent !== headline) element.textContent = headline;
-  const number = lastOf(starts, time + 1e-3), word = time < ends[number] ? words[number] : undefined;
+  const number = order[lastOf(order, time + 1e-3, (each) => starts[each])] ?? -1;
+  const word = time < ends[number] ? words[number] : undefined;
   if (word !== lit) {
     if (lit) lit.classList.remove("now");
     if (word) word.classList.add("now"), reveal(word);
