@@ -6,19 +6,20 @@ import re
 import unicodedata
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from facescript.speech.lines import is_han
 from facescript.speech.mandarin.phrases import AROUND, SINGLES, WORDS
 from facescript.speech.mandarin.syllables import TONES, numbered
 
+if TYPE_CHECKING:
+    from opencc import OpenCC
+
 LONGEST_WORD = 10
 """Characters of the longest word of the dictionary, about; longer ones are sayings."""
 
-TWO = {ord("著"): "着"}
+TWO = {"著": "着"}
 """What is 着 in most texts in traditional characters; `WORDS` has those in which it is 著."""
-
-PAIRS = Path(__file__).with_name("simplified.txt")
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +33,7 @@ class Read:
 @lru_cache(maxsize=64)
 def read(text: str) -> tuple[Read, ...]:
     """The reading of each character of a text, before tones act on each other; what is not Chinese has none."""
-    plain = text.translate(_simplified())
+    plain = "".join(map(_simplified, text))
     found: list[Read] = []
     word = 0
     while len(found) < len(text):
@@ -86,7 +87,13 @@ def _dictionary() -> tuple[dict[str, list[list[str]]], dict[int, str]]:
 
 
 @cache
-def _simplified() -> dict[int, str]:
-    """Traditional characters to simplified ones, for the look-up of words."""
-    pairs = "".join(row for row in PAIRS.read_text("utf-8").splitlines() if not row.startswith("#"))
-    return {ord(traditional): simple for traditional, simple in zip(pairs[::2], pairs[1::2], strict=True)} | TWO
+def _converter() -> OpenCC:
+    from opencc import OpenCC  # as slow to import as pypinyin
+
+    return OpenCC("t2s")
+
+
+@lru_cache(maxsize=1 << 14)
+def _simplified(sign: str) -> str:
+    """A traditional character as the simplified one, for the look-up of words; any other as it is."""
+    return TWO.get(sign) or (_converter().convert(sign) if is_han(sign) else sign)

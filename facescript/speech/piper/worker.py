@@ -1,4 +1,3 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
 """A program of its own: reads lines from its standard input and answers each with piper's sound and its phonemes.
 
 Requests and answers are frames (`voices/frames.py`). A request is
