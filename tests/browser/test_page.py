@@ -91,9 +91,11 @@ def test_keeps_to_its_sound(page: Page) -> None:
 
 
 def test_a_click_on_a_word_goes_there_and_lights_it(page: Page) -> None:
-    number = page.run("[...document.querySelectorAll('.fs-word')].findIndex((each) => each.textContent === 'cup')")
-    page.run(f"document.querySelectorAll('.fs-word')[{number}].click()")
-    start = float(page.run(f"document.querySelectorAll('.fs-word')[{number}].dataset.start"))
+    number = page.run(
+        "[...document.querySelectorAll('.fs-text .fs-word')].findIndex((each) => each.textContent === 'cup')"
+    )
+    page.run(f"document.querySelectorAll('.fs-text .fs-word')[{number}].click()")
+    start = float(page.run(f"document.querySelectorAll('.fs-text .fs-word')[{number}].dataset.start"))
     page.run(DRAWN.replace("AT", f"{start + 0.001}"))
     assert page.run("facescript.time") == pytest.approx(start + 0.001)
     lit = "[...document.querySelectorAll('.fs-text .fs-word.now')].map((each) => each.textContent).join()"
