@@ -25,8 +25,8 @@ TEXTS = {
     "cmn": "市议会以四十票对三十票决定关闭旧港口大桥。没有人感到惊讶，因为它已经很旧了。",
     "de": "Der Stadtrat hat mit vierzig zu dreißig Stimmen beschlossen, die alte Hafenbrücke zu schließen.",
 }
-LONG = 40
-"""Times the text, for a line of minutes."""
+LONG = 10
+"""Times the text, for a line of a minute."""
 
 RUNS = 20
 

@@ -34,7 +34,8 @@ def recorded(line: Say, world: World, voice: VoiceBox) -> Spoken:
 
 def _identity(sound: Recording) -> str:
     """What stands for a recording and for what finds words in it."""
-    return f"recording {hashlib.sha256(sound.samples.data).hexdigest()} {sound.rate} {installed()}"
+    digest, faults = hashlib.sha256(sound.samples.data).hexdigest(), [doubt.code for doubt in sound.doubts]
+    return f"recording {digest} {sound.rate} {faults} {installed()}"
 
 
 def _heard(sound: Recording, line: Say) -> Spoken:

@@ -7,14 +7,18 @@ import subprocess
 import time
 import tracemalloc
 import wave
+from dataclasses import replace
 from pathlib import Path
 
 import imageio_ffmpeg
 import numpy as np
 import pytest
+from saying import line
 
 from facescript.speech.model import VoiceFailure
 from facescript.speech.sound.recording import read_recording
+from facescript.speech.studio import open_studio
+from facescript.world import World
 
 RATE = 16_000
 TONE = np.rint(8_000 * np.sin(2 * np.pi * 300 * np.arange(RATE) / RATE)).astype("<i2")
@@ -193,3 +197,14 @@ def test_ten_minutes_are_read_quickly_and_held_once(tmp_path: Path) -> None:
     assert len(recording.samples) == 600 * RATE
     assert most < 1.5 * recording.samples.nbytes + (8 << 20)
     assert time.process_time() - start < 3.0
+
+
+def test_a_line_of_a_recording_is_kept_with_what_was_found_in_it(tmp_path: Path) -> None:
+    """Spoken twice, the second time from the cache: the same sound, phones and warnings."""
+    buzz = np.tile(np.exp(-np.arange(160) / 12.0) * 20_000, 150)
+    cut(wav(tmp_path / "take.wav", np.rint(np.concatenate([np.zeros(4_000), buzz, np.zeros(4_000)]))), 0.9)
+    asked = replace(line("", "fi"), recording="take.wav")
+    first, again = (open_studio(World(tmp_path)).speak(asked) for _ in range(2))
+    assert any(phone.symbol and phone.stress for phone in first.phones)
+    assert (again.pcm, again.phones, again.doubts) == (first.pcm, first.phones, first.doubts)
+    assert [doubt.code for doubt in first.doubts] == ["FS526"]

@@ -80,4 +80,4 @@ def _phones(sounds: Numbers, energy: Singles, duration: float) -> Iterator[Phone
     loud = np.quantile([peak for peak, symbol in zip(peaks, symbols, strict=True) if symbol in VOWELS] or [0.0], LOUD)
     for (first, last), symbol, peak in zip(runs, symbols, peaks, strict=True):
         end = min(last / FRAMES_A_SECOND, duration)
-        yield PhoneTime(symbol, first / FRAMES_A_SECOND, end, symbol in VOWELS and peak >= loud)
+        yield PhoneTime(symbol, first / FRAMES_A_SECOND, end, symbol in VOWELS and bool(peak >= loud))
