@@ -133,7 +133,8 @@ def _face(job: Job, title: str) -> str:
     """The place of the face: its first frame as a picture that needs no script, captions, a button to begin."""
     width, height = job.stage.width, job.stage.height
     return (
-        f'<div class="fs-face" data-facescript="face" style="aspect-ratio:{width}/{height}">\n'
+        f'<div class="fs-face" data-facescript="face" data-label="{escape(title)}" '
+        f'style="aspect-ratio:{width}/{height}">\n'
         f'<div class="fs-still" aria-hidden="true">{still(job, job.start)}</div>\n'
         f'<div class="fs-caption" data-facescript="caption" aria-hidden="true"></div>\n'
         f'<button class="fs-begin" type="button" data-facescript="play" data-key="space" aria-label="Play">'

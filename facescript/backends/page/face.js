@@ -106,6 +106,8 @@ const SHARPEST = 1920;  // pixels across
 const place = one("face"), [ground, figures] = ["ground", "figures"].map((name) => {
   const canvas = document.createElement("canvas");
   canvas.className = `fs-${name}`;
+  if (name === "ground") canvas.setAttribute("aria-hidden", "true");
+  else canvas.role = "img", canvas.setAttribute("aria-label", place.dataset.label);
   place.append(canvas);
   return canvas.getContext("2d");
 });

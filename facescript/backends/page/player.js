@@ -12,6 +12,7 @@ const clock = { at: 0, since: performance.now(), pace: 0, rate: 1, playing: fals
 // but no more than passed between the two before, so that a sound that stands still is not run ahead of.
 function now() {
   const passed = (performance.now() - clock.since) / 1000;
+  if (audio && audio.seeking) return clock.at;
   if (audio && audio.currentTime !== clock.at) {
     clock.pace = audio.currentTime > clock.at && passed < COARSEST ? passed : 0;
     clock.at = audio.currentTime, clock.since = performance.now();
@@ -70,6 +71,7 @@ function show(time) {
   draw(time);
   follow(time);
   for (const watch of watchers) watch(time);
+  if (audio && audio.seeking) redraw();  // where the sound comes to is known at the end
 }
 
 // ---------------------------------------------------------------- controls
