@@ -22,7 +22,9 @@ def spread(things: Sequence[T], work: Callable[[T], Made], jobs: int) -> list[Ma
     workers = min(jobs, len(things))
     if workers < 2 or sys.platform != "linux":
         return [work(thing) for thing in things]
-    team = [_started(things[number::workers], work) for number in range(1, workers)]
+    team: list[tuple[Connection, ForkProcess]] = []
+    for number in range(1, workers):
+        team.append(_started(things[number::workers], work, [link for link, _ in team]))
     try:
         shares = [[work(thing) for thing in things[::workers]], *(link.recv() for link, _ in team)]
     except EOFError:
@@ -35,17 +37,22 @@ def spread(things: Sequence[T], work: Callable[[T], Made], jobs: int) -> list[Ma
     return [shares[number % workers][number // workers] for number in range(len(things))]
 
 
-def _started(things: Sequence[T], work: Callable[[T], Made]) -> tuple[Connection, ForkProcess]:
-    """A process at its share of the work, and where it sends what it has made."""
+def _started(
+    things: Sequence[T], work: Callable[[T], Made], links: Sequence[Connection]
+) -> tuple[Connection, ForkProcess]:
+    """A process at its share of the work, and where it sends what it has made; `links` are those of the others."""
     fork = multiprocessing.get_context("fork")
     near, far = fork.Pipe(duplex=False)
-    process = fork.Process(target=_work, args=(things, work, far), daemon=True)
+    process = fork.Process(target=_work, args=(things, work, far, [*links, near]), daemon=True)
     process.start()
     far.close()
     return near, process
 
 
-def _work(things: Sequence[T], work: Callable[[T], Made], link: Connection) -> None:
-    """A process's whole work. An interrupt ends it without a word: its parent is interrupted too, and tells."""
+def _work(things: Sequence[T], work: Callable[[T], Made], link: Connection, ends: Sequence[Connection]) -> None:
+    """A process's whole work. An interrupt ends it without a word: its parent is interrupted too, and tells. The
+    parent's `ends` of all links are let go: else it would wait for ever for a parent that was killed."""
+    for end in ends:
+        end.close()
     with suppress(OSError, KeyboardInterrupt):
         link.send([work(thing) for thing in things])
