@@ -1,7 +1,8 @@
 """The sentences that the recogniser of mouth shapes is trained on, spoken by many voices and heard in many rooms.
 
 espeak-ng speaks all languages with voices that differ, and Debian's festival a few with the sounds of people
-(`apt-get install festival` and the packages of `listen_voices.FESTIVAL`). The voices of `HELD_OUT` are never used.
+(`apt-get install festival` and the packages of `listen_voices.FESTIVAL`); more people are those of `listen_people`. The
+voices of `HELD_OUT` are never used.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
+from listen_people import PICO, RHVOICE, an4, pico, rhvoice
 from listen_texts import MORE, TRAINED
 from listen_voices import FESTIVAL, Take, espeak, festival
 from numpy.random import Generator, default_rng
@@ -39,8 +41,8 @@ MANY, FEW = 14, 8
 PACES = (0.8, 0.9, 1.0, 1.1, 1.25)
 """How many times as long festival's sentences are."""
 
-ROOMS = 4
-"""How often each of festival's sentences is heard, once as it is."""
+ROOMS, AN4_ROOMS, MADE_ROOMS = 4, 2, 2
+"""How often each sentence of festival, of AN4, and of RHVoice and pico is heard, once as it is."""
 
 BRITISH, PLAIN = 0.3, 0.2
 """The shares of English that is British, and of espeak-ng's takes that are heard as they are."""
@@ -48,7 +50,7 @@ BRITISH, PLAIN = 0.3, 0.2
 
 @dataclass(frozen=True, slots=True)
 class Lesson:
-    """A take as features with the sound of each frame, array[frame, column] and array[frame]; `person`: by festival."""
+    """A take as features with the sound of each frame, array[frame, column] and array[frame]; `person`: of people."""
 
     features: NDArray[np.float32]
     sounds: NDArray[np.intp]
@@ -71,6 +73,23 @@ def lessons(seed: int) -> Iterator[Lesson]:
         for take in festival(texts, voice, [float(pace) for pace in rng.choice(PACES, len(texts))]):
             for room in range(ROOMS):
                 yield lesson(take, rng, room > 0, True)
+    for place, (found, rooms) in enumerate(((an4(), AN4_ROOMS), (made(seed), MADE_ROOMS))):
+        rng = default_rng([seed, place, 2])
+        for take in found:
+            for room in range(rooms):
+                yield lesson(take, rng, room > 0, True)
+
+
+def made(seed: int) -> Iterator[Take]:
+    """The English sentences by RHVoice and pico."""
+    rng = default_rng([seed, 77])
+    texts = [*TRAINED["en-us"].splitlines(), *MORE["en-us"].splitlines()]
+    speakers = [(rhvoice, voice) for voice in RHVOICE] + [(pico, voice) for voice in PICO]
+    for speak, voice in speakers:
+        for text in texts:
+            take = speak(text, voice, rng.uniform(0.75, 1.3), rng.uniform(0.85, 1.2))
+            if take:
+                yield take
 
 
 def lesson(take: Take, rng: Generator, changed: bool, person: bool) -> Lesson:

@@ -203,6 +203,46 @@ The farmer's wife bought a pair of warm brown shoes.""",
 """Sentences that nothing was trained on."""
 
 MORE: dict[str, str] = {
+    "en-us": """You knew who it was as soon as you moved into the room.
+The blue balloon flew over the roof of the school.
+Would you please put the cookbook in the good bag?
+Bob bought a big bottle of apple juice for supper.
+Everybody in the family wore a warm wool coat.
+My mom made plum jam and pumpkin pie for Pam.
+We could not remember whose shoes were on the floor.
+Paul and Barbara always walk home along the water.
+Far above the farm a large hawk was circling.
+The shop on the corner sells lamps, pots and pans.
+Use a smooth spoon to move the soup to the bowl.
+Two new students asked a few useful questions.
+He hopes to sell his old boat before October.
+They saw both of us leave the office before four.
+Few people understood the beautiful music.
+The rude goose chased a poodle through the pool.
+Apples and bananas are cheaper than plums in March.
+I think it is time to bring them back home.
+Put the wooden hook where your father can look for it.
+Perhaps the captain will stop at the harbor for an hour.
+Whenever we pass the bakery, we buy brown bread.
+A calm palm tree stood behind the car park.
+The poor boy lost his voice and could not shout.
+Move over, or you will miss the bus to Boston.
+She has seen seventeen sheep sleeping near the stream.
+What a wonderful view of the woods from up here!
+Our cousin grew up in a small village by the ocean.
+Nothing but rumors came from the empty room.
+Did the doctor tell you to avoid coffee and alcohol?
+Please compare both maps before you plan a trip.
+Huge waves broke over the bow of the slow ship.
+I'm supposed to be at home by half past five.
+The judge will choose the winner of the tune.
+A group of young women drew pictures of a moose.
+Harvard professors often argue about the problem.
+Open your mouth and show me your bottom tooth.
+Fresh fruit and vegetables keep the family healthy.
+Wash the window, mop the floor and polish the lamp.
+Those roads go over the border and on to Mexico.
+You two should do whatever you choose to do.""",
     "it": """Il gatto dorme sotto il tavolo della cucina.
 Ogni giovedì mio zio porta il giornale alla nonna.
 Che cosa facciamo questa sera dopo la scuola?
@@ -272,4 +312,4 @@ Poca gent sabia on era la clau vermella.""",
 बहुत कम लोग जानते थे कि चाबी कहाँ रखी है।
 बाग में फूल खिले हैं और पक्षी गा रहे हैं।""",
 }
-"""More sentences, for the voices of festival, which are few a language."""
+"""More sentences, for voices that are few a language."""

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from facescript.speech.listen.bands import ENERGY, F0, FRAMES_A_SECOND, features
 from facescript.speech.listen.classes import CLASS, CLASSES, SOUNDS, SYMBOLS
-from facescript.speech.listen.network import BANDS, network
+from facescript.speech.listen.network import HEARD, network
 from facescript.speech.listen.path import best_path
 from facescript.speech.model import PhoneTime
 from facescript.speech.sound.recording import Recording
@@ -45,7 +45,7 @@ def listened(recording: Recording) -> tuple[PhoneTime, ...]:
     Nothing is known of its words or language. Each phone stands for all with its shape of the mouth, a vowel with
     `stress` is among the recording's louder ones. A pure function.
     """
-    found = features(recording.samples, recording.rate, BANDS)
+    found = features(recording.samples, recording.rate, HEARD)
     if not _may_be_speech(found):
         return (PhoneTime("", 0.0, recording.duration),) if len(found) else ()
     scores = network().scores(found)

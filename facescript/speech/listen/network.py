@@ -1,4 +1,4 @@
-"""Features to how likely each sound is in each frame: a small network that looks a tenth of a second to either side.
+"""Features to how likely each sound is in each frame: a small network that looks a fifth of a second to either side.
 
 Its weights are what `benchmarks/speech/train_listen.py` found; they are whole numbers in a file of this package.
 """
@@ -20,10 +20,24 @@ Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
 
 BANDS = tuple(sorted(CENTRES + BETWEEN))
-"""Hz in the middle of the bands that are listened to."""
+"""Hz in the middle of the bands that the network knows."""
 
-REACH = 6
-"""Frames to either side that are looked at."""
+THROATS = (0.82, 0.91, 1.0, 1.1, 1.2)
+"""How many times as high a speaker's formants may be as those of the usual one."""
+
+HEARD = tuple(throat * band for throat in THROATS for band in BANDS)
+"""Hz in the middle of the bands that are listened to: those of each throat."""
+
+STARTS = range(0, len(HEARD), len(BANDS))
+"""The column at which the bands of each throat begin."""
+
+LEAST = np.float32(1e-12)
+
+CERTAIN = 0.1
+"""How much a frame's certainty counts for a throat, for frames that follow each other are alike."""
+
+PLACES = np.array((-12, -9, -7, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 7, 9, 12))
+"""The frames that are looked at, from the one that is told of."""
 
 LOUD = 95.0
 """The percentile of the energies of sounding frames that is the recording's own loudness."""
@@ -37,8 +51,8 @@ USUAL = 90.0
 HERTZ = 150.0
 """F0 that is 0 in the octaves that are told."""
 
-WHOLE = 32_767
-"""What the largest weight of a layer is written as."""
+WHOLE = 127
+"""What the largest weight of a layer's column is written as."""
 
 BLOCK = 4_096
 """Frames that go through the network at once."""
@@ -64,9 +78,9 @@ def heights(found: Singles, usual: Singles) -> Singles:
 
 
 def around(columns: Singles, first: int, last: int) -> Singles:
-    """The inputs of the frames `first` to `last`: what is `REACH` frames to either side, and the voice's height once;
-    the first and the last frame stand for what is beyond."""
-    places = np.arange(first, last)[:, None] + np.arange(-REACH, REACH + 1)
+    """The inputs of the frames `first` to `last`: what is at `PLACES` from each, and the voice's height once; the first
+    and the last frame stand for what is beyond."""
+    places = np.arange(first, last)[:, None] + PLACES
     near = columns[np.clip(places, 0, len(columns) - 1), :-1].reshape(last - first, -1)
     return np.column_stack([near, columns[first:last, -1]])
 
@@ -78,8 +92,22 @@ class Network:
         self.layers, self.usual = tuple(layers), usual
 
     def scores(self, found: Singles) -> Singles:
-        """The natural logarithm of how likely each sound is in each frame: array[frame, sound]."""
-        columns = heights(found, self.usual)
+        """The natural logarithm of how likely each sound is in each frame: array[frame, sound].
+
+        `found` are the features with the bands of `HEARD`. What each throat's bands say counts the more, the more
+        certain the network is with them as a whole: the speaker's own are those that it has learnt from most.
+        """
+        said = [self._said(found[:, place : place + len(BANDS)], found[:, ENERGY:]) for place in STARTS]
+        certain = CERTAIN * np.array([each.max(axis=1).sum() for each in said], dtype=np.float64)
+        shares = np.exp(certain - certain.max())
+        shares /= shares.sum()
+        likely = sum(np.float32(share) * np.exp(each) for share, each in zip(shares, said, strict=True))
+        scores: Singles = np.log(likely + LEAST)
+        return scores
+
+    def _said(self, bands: Singles, rest: Singles) -> Singles:
+        """The scores by the bands of one throat, and energy and F0."""
+        columns = heights(np.column_stack([bands, rest]), self.usual)
         blocks = [
             self._through(around(columns, first, min(first + BLOCK, len(columns))))
             for first in range(0, len(columns), BLOCK)
@@ -99,21 +127,22 @@ class Network:
 def network() -> Network:
     """The network of this package."""
     kept = json.loads((files(__package__) / "weights.json").read_text("ascii"))
-    layers = [_unpacked(layer["values"], layer["columns"]) * np.float32(layer["scale"]) for layer in kept["layers"]]
+    layers = [_unpacked(layer["values"], layer["scales"]) for layer in kept["layers"]]
     return Network(layers, np.array(kept["usual"], dtype=np.float32))
 
 
 def packed(network: Network) -> str:
-    """A network as the text that `network` reads: weights in 16-bit whole numbers times a scale, in base 64."""
+    """A network as the text that `network` reads: weights in 8-bit whole numbers times their column's scale, in base
+    64."""
     layers = []
     for layer in network.layers:
-        scale = float(np.abs(layer).max()) / WHOLE
-        whole = np.rint(layer / scale).astype("<i2")
+        scales = np.round(np.abs(layer).max(axis=0) / WHOLE, 7)
+        whole = np.rint(layer / scales).clip(-WHOLE, WHOLE).astype(np.int8)
         values = b64encode(whole.tobytes()).decode("ascii")
-        layers.append({"columns": layer.shape[1], "scale": scale, "values": values})
+        layers.append({"scales": " ".join(f"{scale:.7f}" for scale in scales), "values": values})
     return json.dumps({"usual": [round(float(value), 4) for value in network.usual], "layers": layers}, indent=1) + "\n"
 
 
-def _unpacked(values: str, columns: int) -> Singles:
-    whole = np.frombuffer(b64decode(values), dtype="<i2").reshape(-1, columns)
-    return whole.astype(np.float32)
+def _unpacked(values: str, scales: str) -> Singles:
+    columns = np.array(scales.split(), dtype=np.float32)
+    return np.frombuffer(b64decode(values), dtype=np.int8).reshape(-1, len(columns)) * columns
