@@ -6,10 +6,12 @@ const audio = one("sound"), duration = film.duration, watchers = [];
 // ---------------------------------------------------------------- the clock
 
 const COARSEST = 0.25;  // seconds from one step to the next of the slowest clocks
+const FURTHEST = 0.006;  // seconds that are added to a clock that stands: it may do so because the sound does
+const LEAD = 0.008;  // seconds until what is drawn is seen, half a frame at least
 const clock = { at: 0, since: performance.now(), pace: 0, rate: 1, playing: false };
 
 // The sound's time now. Some browsers bring it forward in steps: between two, what has passed since the last is added,
-// but no more than passed between the two before, so that a sound that stands still is not run ahead of.
+// but little, and no more than passed between the two before: a sound that stands still must not be run ahead of.
 function now() {
   const passed = (performance.now() - clock.since) / 1000;
   if (audio && audio.seeking) return clock.at;
@@ -18,7 +20,7 @@ function now() {
     clock.at = audio.currentTime, clock.since = performance.now();
     return clock.at;
   }
-  const more = clock.playing ? Math.min(passed, audio ? clock.pace : Infinity) * clock.rate : 0;
+  const more = clock.playing ? Math.min(passed, audio ? Math.min(clock.pace, FURTHEST) : Infinity) * clock.rate : 0;
   return Math.min(clock.at + more, duration);
 }
 
@@ -57,7 +59,7 @@ function started(playing) {
 
 function step() {
   if (!clock.playing) return;
-  show(now());
+  show(Math.min(now() + LEAD * clock.rate, duration));
   if (!audio && now() >= duration) pause();
   else requestAnimationFrame(step);
 }
@@ -267,6 +269,7 @@ if (audio) {
   audio.addEventListener("playing", () => started(true));
   for (const kind of ["pause", "ended"]) audio.addEventListener(kind, () => started(false));
   for (const kind of ["seeked", "waiting", "ratechange"]) audio.addEventListener(kind, redraw);
+  audio.addEventListener("ratechange", () => { clock.rate = audio.playbackRate; });
   audio.addEventListener("error", () => tell("The sound cannot be played"));
 }
 document.documentElement.classList.toggle("fs-silent", !audio);

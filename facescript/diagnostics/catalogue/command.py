@@ -288,6 +288,6 @@ COMMAND: tuple[Entry, ...] = (
         "expression wry(much = 60%) = smile.left much\nshow wry(60%)\n",
         "A sheet shows what an expression is at 100 %, and where it has parameters, at their defaults.",
         stage="command",
-        command=("sheet", "script.face", "-o", "sheet.png"),
+        command=("sheet", "script.face", "-o", "sheet.png", "--cell", "64"),
     ),
 )
