@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import gc
+import os
 import signal
 import sys
 from importlib import import_module
@@ -15,6 +16,9 @@ from facescript.cli.arguments import COMMANDS, LATER, parser
 
 COLLECT = 100_000
 """New objects between two looks for rubbish: compiling makes many that stay, and looking costs a third of its time."""
+
+AGAIN = 0.01
+"""Seconds until an interrupt that was lost comes again."""
 
 INTERRUPTED = 130
 """The exit code of a build that was interrupted."""
@@ -42,6 +46,7 @@ def main(arguments: list[str] | None = None) -> int:
     options = parser(__version__).parse_args(words)
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _interrupted)
+    sys.unraisablehook = _unraised
     try:
         return _run(options)
     except KeyboardInterrupt:
@@ -80,6 +85,16 @@ class Interrupted(KeyboardInterrupt):
 def _interrupted(number: int, frame: FrameType | None) -> NoReturn:
     """End in order, so that nothing half-written stays."""
     raise Interrupted
+
+
+def _unraised(seen: sys.UnraisableHookArgs) -> None:
+    """An interrupt that fell where the interpreter lets nothing through, as in what it does at a fork, comes again."""
+    if not isinstance(seen.exc_value, Interrupted):
+        sys.__unraisablehook__(seen)
+        return
+    import threading
+
+    threading.Timer(AGAIN, os.kill, (os.getpid(), signal.SIGINT)).start()
 
 
 if __name__ == "__main__":

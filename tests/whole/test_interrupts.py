@@ -73,3 +73,19 @@ def test_an_interrupt_as_a_file_is_made_leaves_none(tmp_path: Path, monkeypatch:
     with pytest.raises(KeyboardInterrupt), outputs() as batch:
         batch.place(tmp_path / "film.svg")
     assert os.listdir(tmp_path) == []
+
+
+def test_an_interrupt_where_nothing_is_let_through_comes_again() -> None:
+    """As where a process is forked: what is raised there is only told of, and lost."""
+    program = (
+        "import time, facescript.cli.main as main\n"
+        "class Forked:\n"
+        "    def __del__(self): raise main.Interrupted\n"
+        "def run(options):\n"
+        "    Forked()\n"
+        "    time.sleep(30)\n"
+        "main._run = run\n"
+        "raise SystemExit(main.main(['list', 'faces']))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stderr) == (130, "facescript: interrupted; nothing was written\n")
