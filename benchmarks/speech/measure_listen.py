@@ -43,15 +43,12 @@ SAMPA = {"@": "ə", "D": "ð", "V": "ʌ", "A": "ɑ", "eI": "eɪ", "aI": "aɪ", "
 def rows() -> Iterator[Row]:
     """Every figure is of voices that nothing was trained on. So are the sentences, but for what AN4's people spell and
     count: they use the words and the microphone of those who were learnt from."""
-    english = {"espeak-ng": _espeak("en-us"), "flite": _flite()}
-    voices = " and ".join(f"{len(VOICES[name])} of {name}" for name, takes in english.items() if takes)
-    every = [take for takes in english.values() for take in takes]
-    yield _row(f"a recording alone: English, all voices ({voices}), recall over 4 classes", every)
-    for name, takes in english.items():
+    for name, takes in {"espeak-ng": _espeak("en-us"), "flite": _flite()}.items():
         if takes:
-            yield _told(f"of these, {len(VOICES[name])} of {name}", takes)
-    if english["flite"] and installed():
-        yield _row("flite with the extra `english`", english["flite"], looped)
+            what = f"a recording alone: English, {len(VOICES[name])} voices of {name}, recall over 4 classes"
+            yield _row(what, takes)
+    if takes and installed():
+        yield _row("the same with the extra `english`", takes, looped)
     mandarin = f"a recording alone: Mandarin, {len(HELD_OUT)} voices of espeak-ng, recall over 4 classes"
     yield _row(mandarin, _espeak("cmn"))
     people = list(_people())
@@ -71,7 +68,7 @@ def _row(what: str, takes: Iterable[Take], hear: Hearing = listened) -> Row:
 
 
 def _told(what: str, takes: Iterable[Take]) -> Row:
-    """A row that is held to nothing: a part of another, or labels that were not made by a voice."""
+    """A row that is held to nothing: its labels were not made by a voice."""
     return replace(_row(what, takes), bar="told", met=None)
 
 
