@@ -91,7 +91,9 @@ def test_every_word_is_shown_while_it_is_said_and_fits(words: list[tuple[str, in
     tokens = []
     at = start
     for text, tenths in words:
-        tokens.append(Token(text, at, at + tenths / 10, text != "世", 2 if text[-1] == "." else int(text[-1] == ",")))
+        tokens.append(
+            Token(text, 0, at, at + tenths / 10, text != "世", 2 if text[-1] == "." else int(text[-1] == ","))
+        )
         at += tenths / 10 + (1.0 if tenths == 7 else 0.0)
     found = cues([Said("ada", "en", tuple(tokens))])
     assert [token for cue in found for line in cue.lines for token in line] == tokens

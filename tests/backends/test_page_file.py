@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 from lxml import html
 
+from facescript.backends.captions.cues import cues
+from facescript.backends.captions.said import said
 from facescript.backends.job import Job
 from facescript.backends.page.document import page
 from facescript.backends.page.motion import RATE, motion
@@ -110,6 +112,18 @@ def test_words_have_their_times(text: str, job: Job) -> None:
     assert times == pytest.approx([start for start, _ in spoken], abs=0.001)
     stretch = lines(job.score, 0.1, 0.5)
     assert all(0 <= word.start < word.end <= 0.4 for line in stretch for word in line.words)
+
+
+def test_captions_of_a_page_begin_where_those_of_a_file_do() -> None:
+    text = (
+        "Well, if the weather holds we shall walk along the river to the old mill. Yes! " * 3
+        + "你好,世界。今天天气很好。"
+    )
+    job = job_of(f'face ada = woman, voice en-us\nada: say "{text}"\n')
+    marked = html.fromstring(page(job).text).xpath("//*[@data-cue]/@data-start")
+    found = cues(said(job.score, 0, 1e9))
+    assert len(found) == 4
+    assert [float(start) for start in marked] == pytest.approx([cue.start for cue in found], abs=0.001)
 
 
 def test_faces_come_and_go_and_may_be_none(job: Job, text: str) -> None:

@@ -57,7 +57,7 @@ def cues(lines: Sequence[Said], widest: int = WIDEST) -> list[Cue]:
     found = [
         Cue(line.face if several else "", part[0].start, part[-1].end, wrapped(part, widest), line.language)
         for line in lines
-        for part in _captions(line.tokens, widest)
+        for part in captions(line.tokens, widest)
     ]
     found.sort(key=lambda cue: cue.start)
     return [_timed(cue, found[number + 1 : number + NEAR]) for number, cue in enumerate(found)]
@@ -70,7 +70,7 @@ def _timed(cue: Cue, after: Sequence[Cue]) -> Cue:
     return replace(cue, end=max(min(end, following - BETWEEN), min(cue.end, following)))
 
 
-def _captions(tokens: Sequence[Token], widest: int) -> list[Sequence[Token]]:
+def captions(tokens: Sequence[Token], widest: int) -> list[Sequence[Token]]:
     """What each caption of a line holds: a sentence, a part of one, or a short sentence beside another."""
     kept: list[Sequence[Token]] = []
     for sentence in _sentences(tokens):

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from facescript.schedule.score import Score, TimedLine
 from facescript.speech.lines import is_unspaced, words
+from facescript.speech.model import WordTime
 from facescript.speech.timing.spreading import spread
 
 OPENERS = "([{‘“«‹「『（《〈【¿¡\"'"
@@ -20,9 +21,10 @@ SENTENCE, CLAUSE = ".!?…。！？।؟", ",;:，、；：—–،"
 @dataclass(frozen=True, slots=True)
 class Token:
     """A word with the signs around it: seconds of the film, and whether there is a space before it; `ends` is 2 where
-    a sentence ends with it, 1 for a part of one."""
+    a sentence ends with it, 1 for a part of one; `place` is its first character's in the line's text."""
 
     text: str
+    place: int
     start: float
     end: float
     spaced: bool
@@ -53,18 +55,35 @@ def said(score: Score, start: float, end: float) -> list[Said]:
     found = []
     languages = {face.name: face.voice.language for face in score.faces}
     for line in score.lines:
-        tokens = tuple(
-            token for token in _whole(line) if token.start < min(end, line.end) and (token.end > start or not start)
+        kept = tuple(
+            token
+            for token in tokens(line.text, heard(line))
+            if token.start < min(end, line.end) and (token.end > start or not start)
         )
-        if tokens:
-            found.append(Said(line.face, languages.get(line.face, ""), tokens))
+        if kept:
+            found.append(Said(line.face, languages.get(line.face, ""), kept))
     return found
 
 
-def _whole(line: TimedLine) -> list[Token]:
-    """The words of a line, such as no space parts as one: an address is not torn apart."""
+def heard(line: TimedLine) -> list[WordTime]:
+    """The words of a line in seconds of the film; by their lengths where its sound has no words."""
+    spoken = line.spoken.words or _spread(line.text, line.spoken.duration)
+    return [replace(word, start=line.start + word.start, end=min(line.start + word.end, line.end)) for word in spoken]
+
+
+def _spread(text: str, duration: float) -> list[WordTime]:
+    found = words(text)
+    times = spread(text, found, 0.0, duration)
+    return [
+        WordTime(text[place.first : place.last], place.first, place.last, *at)
+        for place, at in zip(found, times, strict=True)
+    ]
+
+
+def tokens(text: str, spoken: Sequence[WordTime]) -> list[Token]:
+    """The words of a text, such as no space parts as one: an address is not torn apart."""
     found: list[Token] = []
-    for token in _tokens(line):
+    for token in _tokens(text, spoken):
         if found and not token.spaced and columns(found[-1].text[-1:]) < 2 and columns(token.text[:1]) < 2:
             found[-1] = replace(found[-1], text=found[-1].text + token.text, end=token.end, ends=token.ends)
         else:
@@ -72,26 +91,14 @@ def _whole(line: TimedLine) -> list[Token]:
     return found
 
 
-def _tokens(line: TimedLine) -> Iterator[Token]:
-    text, spans = line.text, list(_spans(line))
-    edges = [0, *(_edge(text, a[1], b[0]) for a, b in pairwise(spans)), len(text)]
-    for (_, last, start, end), (first, after) in zip(spans, pairwise(edges), strict=False):
+def _tokens(text: str, spoken: Sequence[WordTime]) -> Iterator[Token]:
+    edges = [0, *(_edge(text, a.last, b.first) for a, b in pairwise(spoken)), len(text)]
+    for word, (first, after) in zip(spoken, pairwise(edges), strict=False):
         piece = text[first:after]
-        tail = text[last:after]
+        tail = text[word.last : after]
         ends = 2 if any(sign in SENTENCE for sign in tail) else int(any(sign in CLAUSE for sign in tail))
         spaced = bool(piece[:1].isspace() or (first and text[first - 1].isspace()))
-        yield Token(" ".join(piece.split()), line.start + start, min(line.start + end, line.end), spaced, ends)
-
-
-def _spans(line: TimedLine) -> Iterator[tuple[int, int, float, float]]:
-    """The words of a line: first and last character, start and end; by their lengths where its sound has no words."""
-    if line.spoken.words:
-        for word in line.spoken.words:
-            yield word.first, word.last, word.start, word.end
-        return
-    found = words(line.text)
-    for place, times in zip(found, spread(line.text, found, 0.0, line.spoken.duration), strict=True):
-        yield place.first, place.last, *times
+        yield Token(" ".join(piece.split()), first, word.start, word.end, spaced, ends)
 
 
 def _edge(text: str, last: int, first: int) -> int:

@@ -10,6 +10,7 @@ from uuid import UUID
 
 import numpy as np
 
+from facescript.backends.audio import write_mp3
 from facescript.backends.chapters import Chapter, chapters, pictures, speakers
 from facescript.backends.epub import names
 from facescript.backends.epub.archive import Archive
@@ -18,7 +19,6 @@ from facescript.backends.epub.overlay import overlay_document
 from facescript.backends.epub.package import CONTAINER, Description, Item, navigation, package_document
 from facescript.backends.job import Job
 from facescript.backends.page.document import called, titled
-from facescript.backends.page.sound import write_mp3
 from facescript.backends.page.words import html_language
 from facescript.backends.stills import written
 from facescript.backends.svg.telling import telling_moment

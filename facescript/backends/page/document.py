@@ -10,11 +10,11 @@ from html import escape
 from pathlib import Path, PurePosixPath
 from urllib.parse import quote
 
+from facescript.backends.audio import opus, write_opus
 from facescript.backends.job import Job
 from facescript.backends.output import Outputs
 from facescript.backends.page.figure import figure
 from facescript.backends.page.motion import Motion, motion
-from facescript.backends.page.sound import opus, write_opus
 from facescript.backends.page.still import still
 from facescript.backends.page.template import filled, policy, with_end, with_head
 from facescript.backends.page.words import Line, lines, transcript

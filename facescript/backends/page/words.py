@@ -3,25 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 
+from facescript.backends.captions.cues import WIDEST, captions
+from facescript.backends.captions.said import heard, tokens
 from facescript.ir.acts import Say
 from facescript.schedule.score import Score, TimedLine
 from facescript.speech.model import WordTime
 from facescript.text import Span
-
-LONGEST = 84
-"""Columns of a caption; a sign of Chinese, Japanese or Korean fills two."""
-
-ENDS = ".!?…。！？"
-"""What ends a sentence, and with it a caption."""
-
-PAUSES = ",;:—，；：、"
-"""Where a caption that grows long is best ended."""
-
-WIDE = 0x1100
-"""Signs from here on are taken to fill two columns."""
 
 LANGUAGES = {"cmn": "zh", "yue": "zh-yue"}
 """espeak-ng's languages that HTML knows by another name."""
@@ -53,9 +43,9 @@ def lines(score: Score, start: float, end: float) -> list[Line]:
             continue
         ends = min(line.end, end)
         words = tuple(
-            WordTime(word.text, word.first, word.last, at - start, min(line.start + word.end, ends) - start)
-            for word in line.spoken.words or (WordTime(say.text, 0, len(say.text), 0.0, line.spoken.duration),)
-            if start <= (at := line.start + word.start) < ends
+            replace(word, start=word.start - start, end=min(word.end, ends) - start)
+            for word in heard(line)
+            if start <= word.start < ends
         )
         language = html_language(say.voice.language)
         found.append(Line(line.face, scene, say.text, language, max(line.start, start) - start, ends - start, words))
@@ -130,17 +120,7 @@ def _marked(line: Line) -> Iterator[str]:
 
 
 def _begins(line: Line) -> Iterator[bool]:
-    """Whether a caption begins with each word: after a sentence, and where it would grow too long."""
-    width, gap = LONGEST, ENDS
-    for number, word in enumerate(line.words):
-        last = line.words[number - 1].last if number else 0
-        gap = line.text[last : word.first]
-        ended = any(sign in gap for sign in ENDS)
-        long = width + _width(line.text[word.first : word.last]) > LONGEST
-        begins = number == 0 or ended or long or (width > LONGEST / 2 and any(sign in gap for sign in PAUSES))
-        width = (0 if begins else width + _width(gap)) + _width(line.text[word.first : word.last])
-        yield begins
-
-
-def _width(text: str) -> int:
-    return sum(2 if ord(sign) >= WIDE else 1 for sign in text)
+    """Whether a caption begins with each word."""
+    places = [part[0].place for part in captions(tokens(line.text, line.words), WIDEST)]
+    for before, word in zip([None, *line.words], line.words, strict=False):
+        yield any((before.last if before else 0) <= place <= word.first for place in places)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 
-from facescript.backends.page.sound import mp3
+from facescript.backends.audio import mp3
 from facescript.speech.sound.mix import Soundtrack
 
 
