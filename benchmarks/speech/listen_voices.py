@@ -1,4 +1,4 @@
-"""Sentences to sound with the phones that the voice says it spoke: espeak-ng, and Debian's flite and festival."""
+"""Sentences to sound with the phones that the voice says it spoke: espeak-ng; Debian's flite, festival, MBROLA."""
 
 from __future__ import annotations
 
@@ -134,3 +134,45 @@ def _named(language: str, segments: list[tuple[str, float]]) -> list[PhoneTime]:
         symbol = "" if name in SILENT else names.get(name.rstrip(":"), name.rstrip(":"))
         found.append(PhoneTime(symbol, start, end))
     return found
+
+
+MBROLA = {
+    "us1": "en-us",
+    "us2": "en-us",
+    "us3": "en-us",
+    "en1": "en-gb",
+    "de2-en": "de",
+    "de5-en": "de",
+    "fr4-en": "fr",
+    "nl2-en": "nl",
+    "sw2-en": "sv",
+    "hu1-en": "hu",
+}
+"""espeak-ng's voices of MBROLA that read English, and the language of the person whose sounds they are."""
+
+_SAMPA = (
+    "p_h p  t_h t  k_h k  ph p  th t  kh k  4 ɾ  5 l  l= l  N ŋ  S ʃ  Z ʒ  T θ  D ð  tS tʃ  dZ dʒ  tj tʃ  dj dʒ  "
+    "R ʁ  J ɲ  L ʎ  g ɡ  r ɹ  r= ɝ  @ ə  I ɪ  U ʊ  V ʌ  E ɛ  E: ɛ  { æ  A ɑ  A: ɑ  O ɔ  O: ɔ  O2 ɔ  Q ɒ  3: ɜ  6 ɐ  "
+    "2 ø  2: ø  9 œ  u0 ʉ  EI eɪ  eI eɪ  AI aɪ  aI aɪ  OI ɔɪ  OY ɔʏ  @U oʊ  aU aʊ  Ei ɛɪ  Au ʌʊ  I@ ɪə  e@ ɛə  U@ ʊə"
+).split()
+
+SAMPA = dict(zip(_SAMPA[::2], _SAMPA[1::2], strict=True)) | {"_": ""}
+"""MBROLA's names of phones that are not their IPA; a long vowel that is not among them is its short one."""
+
+
+def mbrola(text: str, voice: str, rate: float, pitch: float) -> Take:
+    """A sentence by a voice of MBROLA, with the phones that espeak-ng has it say; rate and pitch are times its own."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "take.wav"
+        words = ["espeak-ng", "-v", f"mb-{voice}", "--pho", "-q", text]
+        told = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+        person = voice.split("-")[0]
+        factors = ["-t", f"{1.0 / rate:.3f}", "-f", f"{pitch:.3f}"]
+        words = ["mbrola", "-e", *factors, f"/usr/share/mbrola/{person}/{person}", "-", str(path)]
+        subprocess.run(words, input=told, capture_output=True, text=True, check=True)
+        recording = read_recording(path)
+    found: list[PhoneTime] = []
+    for name, length in re.findall(r"^(\S+)\t(\d+)", told, re.MULTILINE):
+        start = found[-1].end if found else 0.0
+        found.append(PhoneTime(SAMPA.get(name, name.rstrip(":")), start, start + float(length) / (1000.0 * rate)))
+    return Take(recording, tuple(bursting(found)))

@@ -246,13 +246,14 @@ def test_at_most_two_shapes_weigh(rows: list[tuple[list[str], float, float]]) ->
 @given(LINES)
 def test_curves_have_no_jump_and_no_corner(rows: list[tuple[list[str], float, float]]) -> None:
     track, end = track_of(rows)
+    quick = min(length for _, length, _ in rows) < 0.1  # between two closures there is less time then
     step = 1e-4
     times = np.arange(-0.3, end + 0.5, step)
     mouth, activity = track.sample(times)
     for curves in (mouth, activity[:, np.newaxis]):
         speed = np.diff(curves, axis=0) / step
         assert np.abs(speed).max(initial=0) < 100  # the shortest way, 30 ms, at twice the widest opening
-        assert np.abs(np.diff(speed, axis=0)).max(initial=0) < 5  # a corner would change it by tens at once
+        assert np.abs(np.diff(speed, axis=0)).max(initial=0) < (5 if quick else 2)  # a corner: tens at once
     assert np.all((activity >= 0) & (activity <= 1))
 
 

@@ -11,7 +11,8 @@ GAP = 0.03
 """The shortest way from one shape to the next, in seconds."""
 
 TOUCH = 0.01
-"""The shortest way from shut lips to a lip on the teeth and back, in seconds: they hardly move."""
+"""The shortest way from shut lips to a lip on the teeth and back where speech is so fast that there is no `GAP` between
+them, in seconds: they hardly move."""
 
 RANK = {"m": 3, "f": 2, "u": 2, "o": 2, "th": 1, "z": 1, "r": 1, "h'": 0, "h": 0}
 """Which of two shapes without room for both stays; vowels and the others have 1."""
@@ -83,8 +84,9 @@ def _touching(last: MouthShape, shape: MouthShape) -> tuple[MouthShape, MouthSha
     latest = min(shape.on + max(shape.yields, 0.0), shape.off)
     if latest - least < TOUCH:
         return None
-    on = min(max(shape.on, least + TOUCH), latest)
-    return last.ended(min(last.off, on - TOUCH)), shape.begun(on)
+    way = min(latest - least, GAP)
+    on = min(max(shape.on, least + way), latest)
+    return last.ended(min(last.off, on - way)), shape.begun(on)
 
 
 def _rank(shape: MouthShape) -> int:
