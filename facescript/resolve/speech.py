@@ -61,9 +61,10 @@ def _ssml(
     _nothing_more(project, more)
     line.finish(reader)
     voice = spoken_with(_voice_of(project, place), line)
-    if recording is not None or times is not None:
+    recorded = recording is not None or times is not None
+    if recorded:
         _as_it_was(project, line)
-    found = read_ssml(project, source, line.span)
+    found = read_ssml(project, source, line.span, recorded)
     if found.language and _primary(found.language) != _primary(voice.language):
         project.report("FS519", line.span, written=found.language, voice=voice.language)
     manner = found.manner

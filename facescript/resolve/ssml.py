@@ -71,15 +71,17 @@ class _Whole:
     end: int
 
 
-def read_ssml(project: Project, source: Source, span: Span) -> Ssml:
-    """What a file of SSML says. Its faults are reported at their places in it; then raises `Refused`."""
-    return _Reader(project, source).read(span)
+def read_ssml(project: Project, source: Source, span: Span, recorded: bool) -> Ssml:
+    """What a file of SSML says, by a voice or as a recording or a file of times does (`recorded`). Its faults are
+    reported at their places in it; then raises `Refused`."""
+    return _Reader(project, source, recorded).read(span)
 
 
 @dataclass(slots=True)
 class _Reader:
     project: Project
     source: Source
+    recorded: bool
     data: bytes = b""
     plain: Plain = field(default_factory=Plain)
     stretches: list[Stretch] = field(default_factory=list)
@@ -215,7 +217,11 @@ class _Reader:
 
     def factor(self, factors: dict[str, float], tag: _Tag, name: str, value: str) -> None:
         found = PROSODY[name](value) if name in PROSODY else None
-        if found is None:
+        if self.recorded and name in ("rate", "pitch"):
+            self.left_out(
+                tag, f"a recording is heard, and the times of a file are kept, as they are; `{name}` is for a voice"
+            )
+        elif found is None:
             form = f"`{name}` is written {PROSODY_FORMS[name]}" if name in PROSODY else f"`{name}` is not understood"
             self.left_out(tag, form)
         else:

@@ -75,6 +75,15 @@ def test_prosody_around_all_of_it_is_the_lines(tmp_path: Path) -> None:
     assert told_of == []
 
 
+def test_a_recording_keeps_its_rate_and_melody(tmp_path: Path) -> None:
+    (tmp_path / "take.wav").write_bytes(b"")
+    (tmp_path / "a.ssml").write_text('<speak><prosody rate="slow" pitch="high" volume="-6dB">One.</prosody></speak>')
+    script = SCRIPT.replace("\n", ' from "take.wav"\n').replace(' from "take.wav"\n', "\n", 1)
+    line = verbs(script, tmp_path)[-1]
+    assert isinstance(line, Say) and line.voice.rate == line.voice.pitch == 1 and line.voice.volume < 0.6
+    assert [item.code for item in resolved(script, tmp_path)[1]] == ["FS518", "FS518"]
+
+
 def test_what_a_line_cannot_do_is_told_where_it_stands(tmp_path: Path) -> None:
     body = (
         '<speak xml:lang="de">\nOne <prosody rate="slow">two</prosody>\n<voice name="x">three</voice> <blink>4</blink>'
