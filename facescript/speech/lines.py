@@ -47,7 +47,7 @@ class Word:
 def pieces(line: Say) -> tuple[Piece | float, ...]:
     """The pieces of a line in order; a number is that many seconds of silence. Raises `VoiceFailure`: FS503 where
     nothing in the line can be spoken."""
-    if not any(map(is_letter, line.text)):
+    if not _has_sound(line.text):
         raise VoiceFailure("it has no letter and no number", "FS503")
     if len(line.text) > LONGEST:
         raise VoiceFailure(f"it has {len(line.text)} characters, and a voice takes at most {LONGEST} at a time")
@@ -57,7 +57,12 @@ def pieces(line: Say) -> tuple[Piece | float, ...]:
         found += [_piece(line, at, pause.start), _silence(pause)]
         at = pause.start
     found.append(_piece(line, at, len(line.text)))
-    return tuple(part for part in found if isinstance(part, float) or any(map(is_letter, part.text)))
+    return tuple(part for part in found if isinstance(part, float) or _has_sound(part.text))
+
+
+def _has_sound(text: str) -> bool:
+    """Whether a voice has something to say: a mark that stands on no letter is none."""
+    return any(unicodedata.category(sign)[0] in "LN" for sign in text)
 
 
 def _silence(pause: Stretch) -> float:

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from facescript.cli.main import main
 
+pytestmark = pytest.mark.xdist_group("svg")  # what its fixtures build is built once
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TILE = 32
 EARLY, LATE = 0.015, 0.045
@@ -42,9 +44,9 @@ def evening(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def minute(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A minute in which something is said every two seconds."""
+    """A minute in which something is said every six seconds."""
     folder = tmp_path_factory.mktemp("minute")
-    lines = "".join(f'    say "Number {number}."\n    wait 1s\n' for number in range(36))
+    lines = "".join(f'    say "Number {number}."\n    wait 5s\n' for number in range(10))
     script = f"film 320x320, 62s long, seed 1\nface ada = woman\n    life still\nscene talk:\n{lines}"
     (folder / "minute.face").write_text(script, "utf-8")
     assert main(["build", str(folder / "minute.face"), "-o", str(folder / "minute.svg"), "--quiet"]) == 0

@@ -171,3 +171,9 @@ def spearman(one: list[float], other: list[float]) -> float:
 def largest_step(values: Floats) -> float:
     """The largest change from one sample to the next."""
     return float(np.abs(np.diff(values)).max())
+
+
+def across(yaw: Floats, pitch: Floats) -> Floats:
+    """Yaw counted as far as the line of sight goes sideways: near straight up and down, much yaw is little of that."""
+    steps = np.diff(yaw) * np.cos(np.radians((pitch[1:] + pitch[:-1]) / 2))
+    return np.concatenate([[0.0], np.cumsum(steps)])

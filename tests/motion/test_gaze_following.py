@@ -9,7 +9,7 @@ from math import cos, radians, sin
 
 import numpy as np
 import pytest
-from bars import Trace, bar, eye_extremes, largest_step
+from bars import Trace, across, bar, eye_extremes, largest_step
 from gazing import HERE, moving, request, trace
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -84,8 +84,9 @@ def test_whatever_a_target_does_nothing_jumps_or_jolts(drawn: list[tuple[float, 
     times = np.cumsum([0.3, *(wait for wait, _ in drawn[1:])]).tolist()
     target = MovingTarget("visitor", tuple(times), tuple(Point(*place) for _, place in drawn), HERE)
     seen = trace([target], [request(0, "visitor", start)], times[-1] + 2.5)
+    yaw, pitch = seen.gaze("yaw"), seen.gaze("pitch")
+    assert max(largest_step(across(yaw, pitch)), largest_step(pitch)) <= 0.75
     for axis in ("yaw", "pitch"):
-        assert largest_step(seen.gaze(axis)) <= 0.75
         assert largest_step(seen.head(axis)) <= 0.32
         assert np.abs(seen.speed(seen.head(axis))).max() <= bar("H6", "max")[1]
         assert largest_step(seen.speed(seen.head(axis))) <= 10

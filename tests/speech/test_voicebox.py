@@ -168,6 +168,7 @@ def fundamental(spoken: Spoken) -> float:
         (line("Hi.", rate=0.2), "FS501", "a rate of 20% lies outside what it speaks, 46% to 257%"),
         (Say("Hi.", Voice(pitch=3.0)), "FS501", "a pitch of 300%"),
         (line("?!"), "FS503", "no letter and no number"),
+        (line("\u0301", "cmn"), "FS503", "no letter and no number"),
         (line("漢字です。", "ja"), "FS502", "reads kana only"),
         (line("hi", "en-us", Stretch("reading", 0, 2, "/ɧy/")), "FS502", "`ɧ` in `/ɧy/` is no IPA sign"),
         (line("hi", "en-us", Stretch("reading", 0, 2, "/ʎyɣ/")), "FS502", "says only `/ʎ/`"),

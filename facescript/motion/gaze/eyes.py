@@ -23,10 +23,14 @@ WIDE = 85.0
 NEARLY, LAST = 0.974, 0.99999
 """From the first part of their reach on the eyes are slowed that what is added to gaze takes further, to the second."""
 
-
 GIVE, HALFWAY = 0.08, 5.0
 """By how much earlier, as a part of their reach, the eyes are slowed where more than gaze turns the head, for a shake
 may run against a saccade; and the degrees of that at which it is half as much."""
+
+
+BLUNT = 0.1
+"""As a part of how far they are turned in, how near straight ahead the eyes change over from one of them having the
+longer way to the other."""
 
 
 def eyes(sight: Floats, head_pose: Floats, added: Floats | None = None) -> Floats:
@@ -89,9 +93,10 @@ def within_reach(sight: Floats, head: Floats, nearness: Floats) -> Floats:
 
 def _shortened(yaw: Floats, pitch: Floats, half: Floats) -> Floats:
     """By what the eyes' midline is shortened so that an eye that is turned in by `half` deg more is within reach."""
-    extent = _extent(np.abs(yaw) + half, pitch)
-    sideways, inward = np.abs(yaw) / EYE_SIDE, half / EYE_SIDE
-    square = np.maximum(_extent(yaw, pitch) ** 2, 1e-18)
+    aside = np.hypot(yaw, BLUNT * half)
+    extent = _extent(aside + half, pitch)
+    sideways, inward = aside / EYE_SIDE, half / EYE_SIDE
+    square = np.maximum(_extent(aside, pitch) ** 2, 1e-18)
     mixed = sideways * inward
     room = np.maximum(_bent(extent, EYE_KNEE, EYE_END) ** 2 - inward**2, 0.0)
     scale: Floats = (np.sqrt(mixed * mixed + square * room) - mixed) / square

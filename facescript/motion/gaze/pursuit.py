@@ -59,6 +59,10 @@ HEAD_RATE = 8.0
 AFTER = 2.0
 """How long the following goes on after the target has come to rest, s."""
 
+UPRIGHT, OVERHEAD = 75.0, 89.0
+"""A saccade that overshoots by far turns no line of sight over the top: from the first pitch on it is slowed so that it
+never comes to the second, deg. The eyes, and the head with them, are at the end of their reach long before."""
+
 Pair = tuple[float, float]
 
 
@@ -88,7 +92,15 @@ class Following:
         for onset, done, way in self.saccades:
             first = np.searchsorted(times, onset)
             values[first:] += saccade_curve(times[first:], onset, done)[:, None] * np.array(way)
+        values[:, 1] = _below_the_top(values[:, 1])
         return values
+
+
+def _below_the_top(pitch: Floats) -> Floats:
+    room = OVERHEAD - UPRIGHT
+    beyond = np.maximum(np.abs(pitch) - UPRIGHT, 0.0)
+    kept: Floats = pitch - np.sign(pitch) * (beyond - room * np.tanh(beyond / room))
+    return kept
 
 
 @dataclass(slots=True)
