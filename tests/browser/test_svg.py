@@ -22,6 +22,24 @@ EARLY, LATE = 0.015, 0.045
 
 TRIES = 3
 
+DOT = """\
+kind dot = eyes 100 apart, at 360 320
+    colours skin.base #ffe0a0, line.base #403020
+    outline (0 -150) (120 0) (0 150)
+    shell 1.3 1.6
+    nose base 60, width 20
+    eye half-width 26, up 16, down 12, inner 2, outer -2, iris 13, iris-y 0, crease -6 -18 -22 -20 -8, crease-width 2,
+        shade 5, line 0 2 3 3 2, wing 4 -3
+    mouth y 90, half-width 36, corner -2, upper 6, lower 8, tubercle 1, bow 8, dip 2, under 5, line 1.5, tick -2,
+        nose-base 60, wing 22 54
+    shape face, in face, law contour, fill skin.base, half (0 -150) (120 0) (0 150)
+    shape mouth-cavity, fill #401010
+    shape mouth-lip-lower, fill line.base
+    shape mouth-lip-upper, fill line.base
+    shape eye-white, each side, fill #ffffff
+    shape eye-iris, each side, fill line.base, clip eye-white
+"""
+
 # Looked at after each frame is drawn, when every script of the page has had its turn.
 CLOCKS = """
 new Promise(done => {
@@ -44,10 +62,10 @@ def evening(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def minute(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A minute in which something is said every six seconds."""
+    """A minute in which a simple face says something every two seconds."""
     folder = tmp_path_factory.mktemp("minute")
-    lines = "".join(f'    say "Number {number}."\n    wait 5s\n' for number in range(10))
-    script = f"film 320x320, 62s long, seed 1\nface ada = woman\n    life still\nscene talk:\n{lines}"
+    lines = "".join(f'    say "Number {number}."\n    wait 1s\n' for number in range(36))
+    script = f"film 320x320, 62s long, seed 1\n{DOT}face ada = dot\n    life still\nscene talk:\n{lines}"
     (folder / "minute.face").write_text(script, "utf-8")
     assert main(["build", str(folder / "minute.face"), "-o", str(folder / "minute.svg"), "--quiet"]) == 0
     return folder / "minute.svg"

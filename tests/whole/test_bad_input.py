@@ -75,7 +75,7 @@ def test_texts_are_inert_in_svg(text: str, tmp_path: Path) -> None:
     from lxml import etree
 
     (tmp_path / "script.face").write_text(f'say "{text}"\n', "utf-8")
-    done = facescript("build", "script.face", "-o", "out.svg", "--size", "160x160", cwd=tmp_path)
+    done = facescript("build", "script.face", "-o", "out.svg", "--size", "160x160", "--to", "200ms", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     tree = etree.parse(str(tmp_path / "out.svg"))
     assert text in "".join(tree.find("{http://www.w3.org/2000/svg}desc").itertext())

@@ -42,7 +42,7 @@ def test_all_kinds_twice_the_same(tmp_path: Path) -> None:
     for run in ("one", "two"):
         (tmp_path / run).mkdir()
         outputs = [word for kind in KINDS for word in ("-o", str(tmp_path / run / f"evening.{kind}"))]
-        size = ["--size", "320x180", "--to", "3s", "--fps", "15"]
+        size = ["--size", "320x180", "--to", "2s", "--fps", "15"]
         assert main(["build", "evening.face", *outputs, *size, "--quiet"]) == 0
     for kind in KINDS:
         first, second = ((tmp_path / run / f"evening.{kind}").read_bytes() for run in ("one", "two"))
