@@ -20,6 +20,11 @@ class Source:
         line = bisect_right(starts, offset)
         return line, offset - starts[line - 1] + 1
 
+    def offset(self, number: int) -> int | None:
+        """The offset at which a line (from 1) begins; None where there is no such line."""
+        starts = self._line_starts()
+        return starts[number - 1] if 1 <= number <= len(starts) else None
+
     def line(self, number: int) -> str:
         """The text of a line (from 1) without its end."""
         starts = self._line_starts()

@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from dataclasses import dataclass
 
-LATER = ("preview", "live", "lsp")
+LATER = ("preview", "live")
 """Commands of the language's design that this version refuses by name."""
 
 SPHINX, VOICE = "pocketsphinx", "voice"
@@ -115,12 +115,19 @@ def _align(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--as", dest="kind", metavar="KIND", help="the kind where the output is - (json, csv, ...)")
 
 
+def _lsp(parser: argparse.ArgumentParser) -> None:
+    ways = parser.add_mutually_exclusive_group()
+    ways.add_argument("--tcp", type=int, metavar="PORT", help="listen on a port of this machine")
+    ways.add_argument("--ws", type=int, metavar="PORT", help="the same over WebSocket")
+
+
 COMMANDS = {
     "align": Command("align", "find when the words of a text are said in a recording", _align),
     "build": Command("build", "make films, pictures, tables and sound from a script", _build),
     "check": Command("check", "say what is wrong with scripts", _check),
     "explain": Command("explain", "show the solved times: when each act starts, settles and ends", _explain),
     "fmt": Command("fmt", "put scripts into the one layout", _fmt),
+    "lsp": Command("lsp", "serve editors: faults as they are made, times as they are solved", _lsp),
     "list": Command("list", "list what there is: faces, expressions, voices, ...", _list),
     "new": Command("new", "write a starter script", _new),
     "plot": Command("plot", "draw what is done when, over the curves of what moves", _plot),
