@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,13 +11,14 @@ from analysing import analysis
 from lsprotocol import types
 from marking import marked
 from pygls.exceptions import JsonRpcException
+from pygls.uris import to_fs_path
 from pygls.workspace import Workspace
 from pytest_lsp import LanguageClient
 
 from facescript.compile import compile_source
 from facescript.ir.json_form import dump
 from facescript.lsp.desk import Analysis, Desk
-from facescript.lsp.features.rename import edits, prepared
+from facescript.lsp.features.rename import edits
 from facescript.lsp.names.renaming import RenameRefused
 from facescript.lsp.names.script import names_of
 from facescript.lsp.names.symbols import ProjectNames, Symbol
@@ -118,23 +120,46 @@ def own_symbols(at: Analysis) -> list[Symbol]:
 
 
 SOME = ("conversation", "cueing", "evening", "kiosk", "mandarin", "track", "words")
+LETTERS = "αβγδεζηθικλμνξοπρστυφχψω"
 
 
 @pytest.mark.parametrize("name", SOME)
 def test_an_example_with_all_its_names_renamed_plays_the_same(name: str, desk: Desk) -> None:
     """Each new name is as long as the old one, so that places stay."""
     at = desk.analysis((EXAMPLES / f"{name}.face").as_uri())
-    told: dict[str, types.TextEdit] = {}
+    told: dict[str, list[types.TextEdit]] = {}
     back: dict[str, str] = {}
-    for symbol in own_symbols(at):
-        new = symbol.name[:-1] + "ψ" if len(symbol.name) > 1 else "ψ"
-        back.setdefault(new, symbol.name)
-        found = edits(at, range_of(symbol.span).start, new)
-        told |= {str(one.range): one for one in found[at.uri]}
-        assert all(uri.endswith((f"/{name}.face", ".csv", "/studio.face")) for uri in found)
-    assert told
-    text = changed(at.source.text, list(told.values()))
-    assert text != at.source.text
+    for letter, symbol in zip(LETTERS, own_symbols(at), strict=False):
+        new = symbol.name[:-1] + letter
+        back[new] = symbol.name
+        for uri, found in edits(at, range_of(symbol.span).start, new).items():
+            told.setdefault(uri, []).extend(found)
+    texts = {
+        Path(to_fs_path(uri) or ""): changed(Path(to_fs_path(uri) or "").read_text("utf-8"), items)
+        for uri, items in told.items()
+    }
+    world = replace(at.world, texts=texts)
+    again = compile_source(Source(at.source.name, texts[EXAMPLES / f"{name}.face"]), world, KnownTimes(world))
+    assert at.compiled.play is not None and again.play is not None
+    assert len(again.diagnostics.items) == len(at.compiled.diagnostics.items)
+    words = re.compile("|".join(sorted(map(re.escape, back), key=len, reverse=True)))
+    assert words.sub(lambda match: back[match[0]], dump(again.play)) == dump(at.compiled.play)
+
+
+def test_names_in_tables_and_files_of_text_are_renamed_too(tmp_path: Path) -> None:
+    (tmp_path / "main.face").write_text(
+        'target cup at 0cm 0cm 1m\nrepeat one in "rows.csv":\n    look at one.where\n    say one.words\n'
+        'say text "story.txt"\n',
+        "utf-8",
+    )
+    (tmp_path / "rows.csv").write_text('where,words,note\ncup,"cup, [look at cup]yes",cup\n "cup",a,b\n', "utf-8")
+    (tmp_path / "story.txt").write_text("A cup. [glance cup]There.", "utf-8")
+    at = Desk(Workspace(tmp_path.as_uri())).analysis((tmp_path / "main.face").as_uri())
+    told = {Path(uri).name: items for uri, items in edits(at, types.Position(0, 7), "mug").items()}
+    assert changed((tmp_path / "rows.csv").read_text("utf-8"), told["rows.csv"]).splitlines()[1] == (
+        'mug,"cup, [look at mug]yes",cup'
+    )
+    assert changed("A cup. [glance cup]There.", told["story.txt"]) == "A cup. [glance mug]There."
 
 
 async def test_an_editor_is_told_of_the_range_of_the_edits_and_of_the_clash(
@@ -151,7 +176,7 @@ async def test_an_editor_is_told_of_the_range_of_the_edits_and_of_the_clash(
     assert told is not None and told.document_changes is not None
     (one,) = told.document_changes
     assert isinstance(one, types.TextDocumentEdit) and one.text_document.version == 7 and len(one.edits) == 2
-    with pytest.raises(JsonRpcException, match="a let already, in main.face line 2"):
+    with pytest.raises(JsonRpcException, match=r"a let already, in main\.face line 2"):
         await client.text_document_rename_async(types.RenameParams(here, place, "long"))
     with pytest.raises(JsonRpcException, match="no name"):
         await client.text_document_prepare_rename_async(types.PrepareRenameParams(here, types.Position(0, 0)))

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from lsprotocol import types
-from pygls.uris import from_fs_path
 
 from facescript.lsp.desk import Analysis
-from facescript.lsp.names.asking import asked, location, mention_at
+from facescript.lsp.names.asking import asked, location, mention_at, uri_in
 from facescript.lsp.names.model import Mention
 from facescript.lsp.names.script import names_of
 from facescript.lsp.names.spoken import word_span
@@ -14,7 +13,6 @@ from facescript.lsp.names.symbols import ProjectNames
 from facescript.lsp.server import FaceServer
 from facescript.resolve.files import project_path
 from facescript.text import Span
-from facescript.world import WorldFailure
 
 
 def definition(analysis: Analysis, place: types.Position) -> types.Location | None:
@@ -22,7 +20,7 @@ def definition(analysis: Analysis, place: types.Position) -> types.Location | No
     mention = mention_at(analysis, place)
     if mention is None:
         return None
-    if mention.space == "file":
+    if mention.space in ("file", "text"):
         return _file(analysis, mention)
     span = _word(analysis, mention) if mention.space == "word" else _defined(analysis, mention)
     return location(analysis, span) if span is not None else None
@@ -43,13 +41,10 @@ def _word(analysis: Analysis, mention: Mention) -> Span | None:
 
 
 def _file(analysis: Analysis, mention: Mention) -> types.Location | None:
-    try:
-        path = analysis.world.path(project_path(mention.span, mention.name))
-    except WorldFailure:
-        return None
+    name = project_path(mention.span, mention.name)
+    uri = uri_in(analysis.world, name) if analysis.world.exists(name) else None
     start = types.Position(0, 0)
-    there = path.is_file() or path in analysis.world.texts
-    return types.Location(from_fs_path(str(path)) or "", types.Range(start, start)) if there else None
+    return types.Location(uri, types.Range(start, start)) if uri is not None else None
 
 
 def register(server: FaceServer) -> None:

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from lsprotocol import types
-from pygls.uris import from_fs_path
 
 from facescript.lsp.desk import Desk, OpenWorld
+from facescript.lsp.names.asking import uri_in
 from facescript.lsp.names.model import Mention
 from facescript.lsp.names.symbols import ProjectNames
 from facescript.lsp.places import range_of
 from facescript.lsp.server import FaceServer
-from facescript.world import WorldFailure
 
 MOST = 1_000
 """Symbols that are told at once."""
@@ -51,7 +50,7 @@ def _defined(world: OpenWorld, query: str) -> Iterator[tuple[str, Mention]]:
     names = ProjectNames(world)
     for name in names.found[0]:
         script = names.script(name)
-        uri = _uri(world, name)
+        uri = uri_in(world, name)
         if script is None or uri is None or not _fits(query, script.source.text.casefold()):
             continue
         for mention in script.all():
@@ -71,13 +70,6 @@ def _fits(query: str, text: str) -> bool:
 
 def _file(mention: Mention) -> str:
     return mention.span.source.name
-
-
-def _uri(world: OpenWorld, name: str) -> str | None:
-    try:
-        return from_fs_path(str(world.path(name)))
-    except WorldFailure:
-        return None
 
 
 def register(server: FaceServer) -> None:

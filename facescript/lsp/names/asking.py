@@ -11,6 +11,7 @@ from facescript.lsp.names.script import names_of
 from facescript.lsp.names.symbols import ProjectNames, Symbol, library_path
 from facescript.lsp.places import offset, range_of
 from facescript.text import Span
+from facescript.world import World, WorldFailure
 
 
 def asked(desk: Desk, uri: str) -> Analysis | None:
@@ -43,3 +44,11 @@ def location(analysis: Analysis, span: Span) -> Location | None:
         path = library_path(span.source.name)
         uri = from_fs_path(str(path)) if path.is_file() else None
     return Location(uri, range_of(span)) if uri is not None else None
+
+
+def uri_in(world: World, name: str) -> str | None:
+    """The address of a file of a project."""
+    try:
+        return from_fs_path(str(world.path(name))) or None
+    except WorldFailure:
+        return None

@@ -70,7 +70,8 @@ def _repeat(sight: Sight, statement: tree.Repeat) -> None:
         and isinstance(words[1], tree.Name)
         and words[1].text == "in"
     ):
-        bindings = {words[0].text: Local("row", words[0].text, words[0].span)}
+        table = words[2] if isinstance(words[2], tree.String) else None
+        bindings = {words[0].text: Local("row", words[0].text, words[0].span, table=table)}
         sight.bind(bindings[words[0].text])
         _over(sight, words[2:])
     else:

@@ -6,35 +6,38 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from facescript.resolve.words import WORDS
-from facescript.syntax.tree import Act, Name
+from facescript.syntax.tree import Act, Name, String
 from facescript.text import Span
 
-Space = Literal["name", "kind", "scene", "sound", "argument", "column", "word", "file"]
+Space = Literal["name", "kind", "scene", "sound", "argument", "column", "spoken", "word", "file", "text"]
 """Where a mention is looked up: the one space of definitions and labels, kinds of faces, scenes, sounds, the parameters
-of `owner`, the columns of a table, the words of a line, the project's files."""
+of `owner`, the columns of a table (of `spoken` ones the cells are texts), the words of a line, the project's files (of
+which a `text` is spoken)."""
 
 LocalKind = Literal["parameter", "row", "person", "label"]
 
 Reach = frozenset[str]
-"""The kinds of local names that can be meant at a place."""
+"""The kinds of local names that can be meant at a place; `text` where a cell of a table may be a text."""
 
 GLOBAL: Reach = frozenset()
 VALUE: Reach = frozenset({"parameter", "row"})
 AIM: Reach = VALUE | {"person"}
 TIME: Reach = VALUE | {"label"}
-EVERY: Reach = AIM | TIME
+SPOKEN: Reach = VALUE | {"text"}
+EVERY: Reach = AIM | TIME | SPOKEN
 
 
 @dataclass(slots=True, eq=False)
 class Local:
     """A name that is seen in a part of one script. `owner` is the definition that a parameter belongs to, `act` the
-    statement that a label names."""
+    statement that a label names, `table` the file that a row is of."""
 
     kind: LocalKind
     name: str
     span: Span
     owner: str = ""
     act: Act | None = None
+    table: String | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import OrderedDict
 from collections.abc import Iterator
-from functools import lru_cache
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.lsp.names.items import labels_of, mentions
@@ -16,7 +15,7 @@ from facescript.syntax.parser import parse
 from facescript.text import Source
 
 KEPT = 256
-"""Scripts whose trees and names are kept."""
+"""Files whose names are kept."""
 
 
 class ScriptNames:
@@ -69,21 +68,28 @@ class ScriptNames:
             yield from self.of(index)
 
 
-_KEPT: OrderedDict[int, ScriptNames] = OrderedDict()
+_KEPT: OrderedDict[str, ScriptNames] = OrderedDict()
+_FILES: OrderedDict[str, ScriptNames] = OrderedDict()
 
 
 def names_of(script: tree.Script) -> ScriptNames:
-    """The names of a script; what was found of them is kept as long as the tree is asked for."""
-    found = _KEPT.pop(id(script), None)
-    if found is None or found.script is not script:
-        found = ScriptNames(script)
-    _KEPT[id(script)] = found
-    while len(_KEPT) > KEPT:
-        _KEPT.popitem(last=False)
-    return found
+    """The names of a script; kept until another tree of a file of that name comes."""
+    found = _KEPT.get(script.source.name)
+    return found if found is not None and found.script is script else _keep(_KEPT, ScriptNames(script))
 
 
-@lru_cache(maxsize=KEPT)
-def parsed(name: str, text: str) -> tree.Script:
-    """The tree of a file as it is; what is wrong with it is told elsewhere."""
-    return parse(Source(name, text), Diagnostics())
+def names_in(source: Source) -> ScriptNames:
+    """The names of a file as it is, parsed once for the same text; what is wrong with it is told elsewhere."""
+    found = _FILES.get(source.name)
+    if found is not None and found.source.text == source.text:
+        return found
+    return _keep(_FILES, ScriptNames(parse(source, Diagnostics())))
+
+
+def _keep(kept: OrderedDict[str, ScriptNames], names: ScriptNames) -> ScriptNames:
+    """One state of a file each, so that edits do not pile up."""
+    kept.pop(names.source.name, None)
+    kept[names.source.name] = names
+    while len(kept) > KEPT:
+        kept.popitem(last=False)
+    return names

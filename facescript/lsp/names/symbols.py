@@ -11,12 +11,14 @@ from pathlib import Path
 from posixpath import normpath
 
 from facescript.lsp.desk import OpenWorld
+from facescript.lsp.names.elsewhere import elsewhere
 from facescript.lsp.names.model import Local, Mention
-from facescript.lsp.names.script import ScriptNames, names_of, parsed
+from facescript.lsp.names.script import ScriptNames, names_in, names_of
 from facescript.resolve.definitions import library_names
 from facescript.resolve.files import project_path
 from facescript.resolve.kinds.library import FOLDER, kind_names
 from facescript.resolve.uses import library
+from facescript.resolve.words import WORDS
 from facescript.resources import folder
 from facescript.syntax import tree
 from facescript.text import Source, Span
@@ -57,6 +59,7 @@ class ProjectNames:
         self.own = own
         self._scripts: dict[str, ScriptNames | None] = {own.source.name: names_of(own)} if own is not None else {}
         self._written: dict[str, dict[str, Symbol]] = {}
+        self._roots: dict[str, list[str]] = {}
 
     # -------------------------------------------------------------------------------------------- files
 
@@ -64,8 +67,7 @@ class ProjectNames:
         """A script of the project or of the library; None where it cannot be read."""
         if name not in self._scripts:
             try:
-                source = self.world.source(name)
-                self._scripts[name] = names_of(parsed(source.name, source.text))
+                self._scripts[name] = names_in(self.world.source(name))
             except WorldFailure:
                 found = _library_scripts().get(name)
                 self._scripts[name] = names_of(found) if found is not None else None
@@ -98,7 +100,9 @@ class ProjectNames:
 
     def roots(self, name: str) -> list[str]:
         """The scripts that use one, directly or through others, and itself."""
-        return [other for other in self.found[0] if other == name or name in self.closure(other)]
+        if name not in self._roots:
+            self._roots[name] = [other for other in self.found[0] if other == name or name in self.closure(other)]
+        return self._roots[name]
 
     def related(self, symbol: Symbol) -> list[str]:
         """The scripts that may mention a symbol."""
@@ -125,7 +129,7 @@ class ProjectNames:
     def defined(self, name: str, where: str) -> Symbol | None:
         """What a name of the shared space means in a script: by itself, by the library, or by those that use it."""
         symbol = self.written(where).get(name) or library_symbols().get(name)
-        if symbol is not None:
+        if symbol is not None or name in WORDS:
             return symbol
         others = (self.written(root).get(name) for root in self.roots(where))
         return next((found for found in others if found is not None), None)
@@ -160,17 +164,22 @@ class ProjectNames:
         """All places that mean a symbol, its definition among them."""
         for name in self.related(symbol):
             script = self.script(name)
-            for mention in script.named(symbol.name) if script else ():
+            for mention in self._candidates(script, symbol) if script else ():
                 found = self.symbol(mention, name)
                 if found is not None and found.key == symbol.key:
                     yield mention
+
+    def _candidates(self, script: ScriptNames, symbol: Symbol) -> Iterator[Mention]:
+        yield from script.named(symbol.name)
+        if not symbol.is_local:
+            yield from (mention for mention in elsewhere(self.world, script) if mention.name == symbol.name)
 
 
 def _folders(root: Path) -> Iterator[tuple[str, list[str]]]:
     """The folders of a project, hidden ones left out, and the names of the scripts in each."""
     for top, folders, files in islice(os.walk(root), MOST_FOLDERS):
-        folders[:] = sorted(name for name in folders if not name.startswith("."))
-        yield top, sorted(name for name in files if name.endswith(".face"))
+        folders[:] = sorted(name for name in folders if not name.startswith(".") and name.isprintable())
+        yield top, sorted(name for name in files if name.endswith(".face") and name.isprintable())
 
 
 def local_symbol(local: Local) -> Symbol:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from facescript.diagnostics.model import Diagnostics
-from facescript.lsp.names.model import AIM, EVERY, GLOBAL, TIME, VALUE, Mention, Reach, Sight, first_part
+from facescript.lsp.names.model import AIM, EVERY, GLOBAL, SPOKEN, TIME, VALUE, Mention, Reach, Sight, Space, first_part
 from facescript.resolve.blocks import ROWS
 from facescript.resolve.drivers import PRIMITIVES
 from facescript.resolve.lines import match, segments
@@ -18,7 +18,8 @@ from facescript.text import Span
 
 HEADS: Mapping[str, Reach] = {
     **dict.fromkeys(("look", "glance", "scan"), AIM),
-    **dict.fromkeys(("show", "add", "background", "view", "life", "say", "picture", "link"), VALUE),
+    **dict.fromkeys(("show", "add", "view", "life"), VALUE),
+    **dict.fromkeys(("say", "background", "picture", "link"), SPOKEN),
     **dict.fromkeys(("nod", "shake", "tilt", "blink", "wink", "wait"), TIME),
     "drop": EVERY,
     "play": GLOBAL,
@@ -66,7 +67,8 @@ def _dotted(sight: Sight, word: Dotted, reach: Reach) -> None:
         number = nth if isinstance(nth, int) else 1
         sight.found.append(Mention(str(word.parts[1]), rest, "word", local, nth=number))
     elif local.kind == "row":
-        sight.found.append(Mention(str(word.parts[1]), rest, "column", local))
+        space: Space = "spoken" if "text" in reach else "column"
+        sight.found.append(Mention(str(word.parts[1]), rest, space, local))
 
 
 def _second_part(span: Span) -> Span:
@@ -90,10 +92,10 @@ def _argument(sight: Sight, name: Name, owner: str) -> None:
     sight.found.append(Mention(name.text, name.span, "argument", owner=owner))
 
 
-def path(sight: Sight, word: Word) -> None:
+def path(sight: Sight, word: Word, space: Space = "file") -> None:
     """Notes a file that a script names."""
     if isinstance(word, String):
-        sight.found.append(Mention(word.value, word.span, "file"))
+        sight.found.append(Mention(word.value, word.span, space))
 
 
 # ------------------------------------------------------------------------------------------------ texts
@@ -136,7 +138,7 @@ def line(sight: Sight, phrases: tuple[Phrase, ...], act: Act | None = None) -> N
 def _head(sight: Sight, verb: str, words: tuple[Word, ...]) -> None:
     first = words[0] if words else None
     if verb == "say" and isinstance(first, Name) and first.text in ("text", "ssml") and len(words) > 1:
-        path(sight, words[1])
+        path(sight, words[1], "text" if first.text == "text" else "file")
     elif verb == "say":
         read(sight, words, HEADS[verb])
     else:
