@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 from typing import Any
 
 from facescript.lsp.names.model import AIM, EVERY, GLOBAL, TIME, VALUE, Local, Mention, Sight
@@ -16,10 +17,35 @@ from facescript.resolve.words import FACE, FILM, WORDS
 from facescript.syntax import tree
 
 
-def mentions(item: tree.Item, labels: dict[str, Local]) -> list[Mention]:
-    """The names in an item; `labels` are those that can be seen from it."""
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """An item as far as its block: the names before it, what can be seen in it, and its statements."""
+
+    head: list[Mention]
+    sight: Sight
+    body: tuple[tree.Statement, ...] = ()
+
+
+def opened(item: tree.Item, labels: dict[str, Local]) -> Opened:
+    """The names of an item; those of a scene, an action or a reaction as far as its block, which may be long.
+
+    `labels` are those that can be seen from it.
+    """
     sight = Sight([], {}, labels)
-    _READERS[type(item)](sight, item)
+    open_block = _BLOCKS.get(type(item))
+    if open_block is None:
+        _READERS[type(item)](sight, item)
+        return Opened(sight.found, sight)
+    inner = open_block(sight, item)
+    assert isinstance(item, tree.Scene | tree.When | tree.ActionDefinition)
+    return Opened(sight.found, inner, item.body)
+
+
+def mentions(block: Opened, number: int) -> list[Mention]:
+    """The names in one statement of a block."""
+    statement = block.body[number]
+    sight = replace(block.sight, found=[])
+    _READERS[type(statement)](sight, statement)
     return sight.found
 
 
@@ -106,10 +132,10 @@ def _expression(sight: Sight, node: tree.ExpressionDefinition) -> None:
     read(Sight(sight.found, bindings), node.value.words, VALUE)
 
 
-def _action(sight: Sight, node: tree.ActionDefinition) -> None:
+def _action(sight: Sight, node: tree.ActionDefinition) -> Sight:
     sight.define(node.name, "action")
     bindings = _parameters(sight, node.name, node.parameters)
-    _body(Sight(sight.found, bindings, labels_of(node.body)), node.body)
+    return Sight(sight.found, bindings, labels_of(node.body))
 
 
 def _let(sight: Sight, node: tree.LetDefinition) -> None:
@@ -126,14 +152,14 @@ def _use(sight: Sight, node: tree.Use) -> None:
     path(sight, node.path)
 
 
-def _scene(sight: Sight, node: tree.Scene) -> None:
+def _scene(sight: Sight, node: tree.Scene) -> Sight:
     sight.define(node.name, "scene", "scene")
     for face in node.faces:
         sight.mention(face.text, face.span, GLOBAL)
-    _body(Sight(sight.found, {}, labels_of(node.body)), node.body)
+    return Sight(sight.found, {}, labels_of(node.body))
 
 
-def _when(sight: Sight, node: tree.When) -> None:
+def _when(sight: Sight, node: tree.When) -> Sight:
     words = node.event.words
     bindings: dict[str, Local] = {}
     person = words[-1] if len(words) > 2 else None
@@ -141,7 +167,7 @@ def _when(sight: Sight, node: tree.When) -> None:
     if isinstance(person, tree.Name) and _is(opener, "person") and _is(before, "as"):
         bindings[person.text] = Local("person", person.text, person.span)
         sight.bind(bindings[person.text])
-    _body(Sight(sight.found, bindings, labels_of(node.body)), node.body)
+    return Sight(sight.found, bindings, labels_of(node.body))
 
 
 def _is(word: tree.Word | None, text: str) -> bool:
@@ -235,12 +261,16 @@ _READERS: dict[type, Callable[[Sight, Any], None]] = {
     tree.Repeat: _repeat,
     tree.Moment: _moment,
     tree.ExpressionDefinition: _expression,
-    tree.ActionDefinition: _action,
     tree.LetDefinition: _let,
     tree.VisemeDefinition: _viseme,
     tree.Declaration: _declaration,
     tree.Setting: _setting,
     tree.Use: _use,
+}
+
+_BLOCKS: dict[type, Callable[[Sight, Any], Sight]] = {
+    tree.ActionDefinition: _action,
     tree.Scene: _scene,
     tree.When: _when,
 }
+"""What has a block of its own: each reads what stands before it, and gives what can be seen in it."""

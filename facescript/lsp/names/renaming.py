@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import zip_longest
 
-from facescript.diagnostics.model import Diagnostic, Diagnostics
+from facescript.diagnostics.model import Diagnostic, Diagnostics, Severity
 from facescript.lsp.desk import OpenWorld
 from facescript.lsp.names.model import Mention
 from facescript.lsp.names.script import ScriptNames
@@ -152,21 +152,21 @@ class _Trial:
     # -------------------------------------------------------------------------------------------- faults
 
     def _same_faults(self, name: str) -> None:
-        """Refuses a rename by which a script would have a fault that it has not yet."""
-        before = Counter(fault.code for fault in _faults(self.names.world, name))
-        for fault in _faults(self.world, name):
+        """Refuses a rename by which a script would have an error that it has not yet."""
+        faults = _errors(self.world, name)
+        before = Counter(fault.code for fault in _errors(self.names.world, name)) if faults else Counter()
+        for fault in faults:
             before[fault.code] -= 1
             if before[fault.code] < 0:
                 where = f" {_place(fault.span)}:" if fault.span is not None else ""
                 raise RenameRefused(f"With `{self.new}` there would be a fault{where} {fault.message}")
 
 
-def _faults(world: OpenWorld, name: str) -> list[Diagnostic]:
+def _errors(world: OpenWorld, name: str) -> list[Diagnostic]:
     """What is wrong with the names of a script."""
     found = Diagnostics()
-    script = parse(world.source(name), found)
-    resolve(script, world, found)
-    return list(found.items)
+    resolve(parse(world.source(name), found), world, found)
+    return [fault for fault in found.items if fault.severity is Severity.ERROR]
 
 
 def edited(spans: list[Span], new: str) -> str:

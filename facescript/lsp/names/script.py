@@ -7,12 +7,12 @@ from collections import OrderedDict
 from collections.abc import Iterator
 
 from facescript.diagnostics.model import Diagnostics
-from facescript.lsp.names.items import labels_of, mentions
+from facescript.lsp.names.items import Opened, labels_of, mentions, opened
 from facescript.lsp.names.model import Local, Mention
 from facescript.resolve.scenes import STATEMENTS
 from facescript.syntax import tree
 from facescript.syntax.parser import parse
-from facescript.text import Source
+from facescript.text import Source, Span
 
 KEPT = 256
 """Files whose names are kept."""
@@ -24,7 +24,8 @@ class ScriptNames:
     def __init__(self, script: tree.Script) -> None:
         self.script = script
         self._starts = [item.span.start for item in script.items]
-        self._found: dict[int, list[Mention]] = {}
+        self._opened: dict[int, Opened] = {}
+        self._found: dict[tuple[int, int], list[Mention]] = {}
         self._labels: dict[str, Local] | None = None
 
     @property
@@ -34,18 +35,31 @@ class ScriptNames:
     def at(self, offset: int) -> Mention | None:
         """The name at an offset, or just before it."""
         index = bisect_right(self._starts, offset) - 1
-        around = (
-            [found for found in self.of(index) if found.span.start <= offset <= found.span.end] if index >= 0 else []
-        )
+        if index < 0:
+            return None
+        block = self._open(index)
+        number = bisect_right(block.body, offset, key=lambda statement: statement.span.start) - 1
+        near = self._in(index, number) if number >= 0 else block.head
+        around = [found for found in near if found.span.start <= offset <= found.span.end]
         return max(around, key=lambda found: (offset < found.span.end, found.span.start), default=None)
 
-    def of(self, index: int) -> list[Mention]:
-        """The names in the item with this number, in the order in which they are looked up."""
-        if index not in self._found:
+    def of(self, index: int) -> Iterator[Mention]:
+        """The names in the item with this number."""
+        block = self._open(index)
+        yield from block.head
+        for number in range(len(block.body)):
+            yield from self._in(index, number)
+
+    def _open(self, index: int) -> Opened:
+        if index not in self._opened:
             item = self.script.items[index]
-            seen = self.labels if isinstance(item, STATEMENTS) else {}
-            self._found[index] = mentions(item, seen)
-        return self._found[index]
+            self._opened[index] = opened(item, self.labels if isinstance(item, STATEMENTS) else {})
+        return self._opened[index]
+
+    def _in(self, index: int, number: int) -> list[Mention]:
+        if (index, number) not in self._found:
+            self._found[index, number] = mentions(self._opened[index], number)
+        return self._found[index, number]
 
     @property
     def labels(self) -> dict[str, Local]:
@@ -57,11 +71,18 @@ class ScriptNames:
         return self._labels
 
     def named(self, name: str) -> Iterator[Mention]:
-        """All mentions of a name, whatever it means."""
-        text = self.source.text
+        """All mentions of a name, whatever it means; only statements with its letters are looked at."""
         for index, item in enumerate(self.script.items):
-            if not name.isascii() or text.find(name, item.span.start, item.span.end) >= 0:
-                yield from (found for found in self.of(index) if found.name == name)
+            if self._has(item.span, name):
+                block = self._open(index)
+                yield from (found for found in block.head if found.name == name)
+                for number, statement in enumerate(block.body):
+                    if self._has(statement.span, name):
+                        yield from (found for found in self._in(index, number) if found.name == name)
+
+    def _has(self, span: Span, name: str) -> bool:
+        """Whether a stretch may have a name, which beyond ASCII may be written in another form."""
+        return not name.isascii() or self.source.text.find(name, span.start, span.end) >= 0
 
     def all(self) -> Iterator[Mention]:
         for index in range(len(self.script.items)):
