@@ -8,7 +8,6 @@ from analysing import ROOT, analysis
 from lsprotocol import types
 from marking import marked
 from pygls.workspace import Workspace
-from pytest_lsp import LanguageClient
 
 from facescript.lsp.desk import Desk
 from facescript.lsp.features.calls import incoming, outgoing, prepared
@@ -85,19 +84,3 @@ def test_symbols_of_all_scripts_are_found_by_letters_in_order(tmp_path: Path) ->
 
 def test_a_folder_that_is_not_there_has_no_symbols() -> None:
     assert not workspace_symbols(Desk(Workspace(ROOT.as_uri())), "")
-
-
-async def test_an_editor_is_told_of_calls_and_symbols(client: LanguageClient, tmp_path: Path) -> None:
-    uri = (tmp_path / "main.face").as_uri()
-    item = types.TextDocumentItem(uri, "face", 1, "action bow:\n    nod\naction greet:\n    bow\ngreet\n")
-    client.text_document_did_open(types.DidOpenTextDocumentParams(item))
-    here = types.TextDocumentIdentifier(uri)
-    place = types.CallHierarchyPrepareParams(here, types.Position(0, 8))
-    prepared_items = await client.text_document_prepare_call_hierarchy_async(place)
-    assert prepared_items is not None
-    calls = await client.call_hierarchy_incoming_calls_async(types.CallHierarchyIncomingCallsParams(prepared_items[0]))
-    assert calls is not None and [call.from_.name for call in calls] == ["greet"]
-    others = await client.call_hierarchy_outgoing_calls_async(types.CallHierarchyOutgoingCallsParams(calls[0].from_))
-    assert others is not None and [call.to.name for call in others] == ["bow"]
-    told = await client.workspace_symbol_async(types.WorkspaceSymbolParams("gr"))
-    assert told is not None and [one.name for one in told] == ["greet"]

@@ -10,7 +10,6 @@ from analysing import analysis
 from lsprotocol import types
 from marking import marked
 from pygls.uris import to_fs_path
-from pytest_lsp import LanguageClient
 
 from facescript.lsp.features.definition import definition
 from facescript.lsp.features.highlight import highlights
@@ -171,18 +170,3 @@ def test_nonsense_is_answered(text: str) -> None:
     for place in (types.Position(0, 0), types.Position(1, 500), types.Position(10**6, 10**6), types.Position(0, 7)):
         assert isinstance(references(at, place, True), list) and isinstance(highlights(at, place), list)
         definition(at, place)
-
-
-async def test_an_editor_is_led_into_a_file_that_is_used(client: LanguageClient, tmp_path: Path) -> None:
-    (tmp_path / "studio.face").write_text(STUDIO, "utf-8")
-    uri = (tmp_path / "main.face").as_uri()
-    item = types.TextDocumentItem(uri, "face", 1, '# \U0001f600\nuse "studio.face"\nwait beat\n')
-    client.text_document_did_open(types.DidOpenTextDocumentParams(item))
-    here = types.TextDocumentIdentifier(uri)
-    spot = await client.text_document_definition_async(types.DefinitionParams(here, types.Position(2, 6)))
-    assert isinstance(spot, types.Location) and spot.uri == (tmp_path / "studio.face").as_uri()
-    context = types.ReferenceContext(include_declaration=False)
-    told = await client.text_document_references_async(types.ReferenceParams(context, here, types.Position(2, 6)))
-    assert told is not None and sorted(Path(to_fs_path(one.uri) or "").stem for one in told) == ["main", "studio"]
-    nowhere = types.TextDocumentIdentifier((tmp_path / "gone.face").as_uri())
-    assert await client.text_document_definition_async(types.DefinitionParams(nowhere, types.Position(0, 0))) is None

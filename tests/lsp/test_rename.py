@@ -10,21 +10,19 @@ import pytest
 from analysing import analysis
 from lsprotocol import types
 from marking import marked
-from pygls.exceptions import JsonRpcException
-from pygls.uris import to_fs_path
 from pygls.workspace import Workspace
-from pytest_lsp import LanguageClient
 
-from facescript.compile import compile_source
+from facescript.diagnostics.model import Diagnostics
 from facescript.ir.json_form import dump
-from facescript.lsp.desk import Analysis, Desk
+from facescript.ir.play import Play
+from facescript.lsp.desk import Desk, OpenWorld
 from facescript.lsp.features.rename import edits
 from facescript.lsp.names.renaming import RenameRefused
 from facescript.lsp.names.script import names_of
-from facescript.lsp.names.symbols import ProjectNames, Symbol
-from facescript.lsp.places import range_of
-from facescript.speech.voices.known import KnownTimes
-from facescript.text import Source
+from facescript.lsp.names.symbols import ProjectNames
+from facescript.resolve.resolver import resolve
+from facescript.syntax.parser import parse
+from facescript.text import Source, Span
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -107,43 +105,50 @@ def test_a_definition_that_another_script_has_too_is_refused_there() -> None:
         renamed("let ^beat = 1s\n", "pulse", user=user)
 
 
-@pytest.fixture(scope="module")
-def desk() -> Desk:
-    return Desk(Workspace(EXAMPLES.as_uri()))
-
-
-def own_symbols(at: Analysis) -> list[Symbol]:
-    """What the document itself defines, each once."""
-    names = ProjectNames(at.world, at.compiled.script)
-    found = (names.symbol(one, at.source.name) for one in names_of(at.compiled.script).all() if one.defines)
-    return list({symbol.key: symbol for symbol in found if symbol is not None and symbol.kind != "viseme"}.values())
-
-
-SOME = ("conversation", "cueing", "evening", "kiosk", "mandarin", "track", "words")
 LETTERS = "αβγδεζηθικλμνξοπρστυφχψω"
+"""New names are old ones with another last letter, so that places stay."""
 
 
-@pytest.mark.parametrize("name", SOME)
-def test_an_example_with_all_its_names_renamed_plays_the_same(name: str, desk: Desk) -> None:
-    """Each new name is as long as the old one, so that places stay."""
-    at = desk.analysis((EXAMPLES / f"{name}.face").as_uri())
-    told: dict[str, list[types.TextEdit]] = {}
-    back: dict[str, str] = {}
-    for letter, symbol in zip(LETTERS, own_symbols(at), strict=False):
+def played(world: OpenWorld, name: str) -> Play | None:
+    found = Diagnostics()
+    return resolve(parse(world.source(name), found), world, found)
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in EXAMPLES.glob("*.face")))
+def test_an_example_with_all_its_names_renamed_plays_the_same(name: str) -> None:
+    world = OpenWorld(EXAMPLES)
+    names = ProjectNames(world)
+    script = names.script(name)
+    assert script is not None
+    symbols = {found.key: found for one in script.all() if one.defines and (found := names.symbol(one, name))}
+    places: dict[str, list[tuple[Span, str]]] = {}
+    back = {}
+    for letter, symbol in zip(LETTERS, symbols.values(), strict=False):
         new = symbol.name[:-1] + letter
         back[new] = symbol.name
-        for uri, found in edits(at, range_of(symbol.span).start, new).items():
-            told.setdefault(uri, []).extend(found)
-    texts = {
-        Path(to_fs_path(uri) or ""): changed(Path(to_fs_path(uri) or "").read_text("utf-8"), items)
-        for uri, items in told.items()
-    }
-    world = replace(at.world, texts=texts)
-    again = compile_source(Source(at.source.name, texts[EXAMPLES / f"{name}.face"]), world, KnownTimes(world))
-    assert at.compiled.play is not None and again.play is not None
-    assert len(again.diagnostics.items) == len(at.compiled.diagnostics.items)
-    words = re.compile("|".join(sorted(map(re.escape, back), key=len, reverse=True)))
-    assert words.sub(lambda match: back[match[0]], dump(again.play)) == dump(at.compiled.play)
+        for mention in names.mentions(symbol):
+            places.setdefault(mention.span.source.name, []).append((mention.span, new))
+    texts = {world.path(file): rewritten(found) for file, found in places.items()}
+    before, after = played(world, name), played(replace(world, texts=texts), name)
+    assert before is not None and after is not None
+    words = re.compile("|".join([*sorted(map(re.escape, back), key=len, reverse=True), "$^"]))
+    assert words.sub(lambda match: back[match[0]], dump(after)) == dump(before)
+
+
+def rewritten(places: list[tuple[Span, str]]) -> str:
+    """A file's text with other names at these places."""
+    text = places[0][0].source.text
+    for span, new in sorted(places, key=lambda place: place[0].start, reverse=True):
+        text = text[: span.start] + new + text[span.end :]
+    return text
+
+
+@pytest.mark.parametrize("part", range(20))
+def test_a_script_that_breaks_off_anywhere_has_the_names_of_what_is_there(part: int) -> None:
+    text = (EXAMPLES / "evening.face").read_text("utf-8")
+    cut = text[: len(text) * part // 20]
+    found = names_of(parse(Source("cut.face", cut), Diagnostics())).all()
+    assert all(mention.span.end <= len(cut) for mention in found)
 
 
 def test_names_in_tables_and_files_of_text_are_renamed_too(tmp_path: Path) -> None:
@@ -160,23 +165,3 @@ def test_names_in_tables_and_files_of_text_are_renamed_too(tmp_path: Path) -> No
         'mug,"cup, [look at mug]yes",cup'
     )
     assert changed("A cup. [glance cup]There.", told["story.txt"]) == "A cup. [glance mug]There."
-
-
-async def test_an_editor_is_told_of_the_range_of_the_edits_and_of_the_clash(
-    client: LanguageClient, tmp_path: Path
-) -> None:
-    uri = (tmp_path / "main.face").as_uri()
-    text = "let beat = 1s\nlet long = 2s\nwait beat + long\n"
-    client.text_document_did_open(types.DidOpenTextDocumentParams(types.TextDocumentItem(uri, "face", 7, text)))
-    here, place = types.TextDocumentIdentifier(uri), types.Position(2, 6)
-    ready = await client.text_document_prepare_rename_async(types.PrepareRenameParams(here, place))
-    wanted = types.Range(types.Position(2, 5), types.Position(2, 9))
-    assert ready == types.PrepareRenamePlaceholder(wanted, "beat")
-    told = await client.text_document_rename_async(types.RenameParams(here, place, "pulse"))
-    assert told is not None and told.document_changes is not None
-    (one,) = told.document_changes
-    assert isinstance(one, types.TextDocumentEdit) and one.text_document.version == 7 and len(one.edits) == 2
-    with pytest.raises(JsonRpcException, match=r"a let already, in main\.face line 2"):
-        await client.text_document_rename_async(types.RenameParams(here, place, "long"))
-    with pytest.raises(JsonRpcException, match="no name"):
-        await client.text_document_prepare_rename_async(types.PrepareRenameParams(here, types.Position(0, 0)))
