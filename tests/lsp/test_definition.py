@@ -126,6 +126,12 @@ def test_references_go_over_the_files_that_use_and_are_used() -> None:
     assert sorted(told) == ["main:2:6", "other:2:6", "other:3:14", "studio:1:5", "studio:5:10"]
 
 
+def test_scripts_in_a_long_chain_and_in_a_circle_are_followed() -> None:
+    chain = {f"part{number}": f'use "part{number + 1}.face"\n' for number in range(300)}
+    assert found('use "part0.face"\nwait ^last\n', **chain, part300="let last = 1s\n") == "part300:1 last"
+    assert found('use "a.face"\nwait ^far\n', a='use "main.face"\nuse "a.face"\nlet far = 1s\n') == "a:3 far"
+
+
 def test_a_parameter_is_not_the_definition_that_it_covers() -> None:
     text = "target cup at 0cm 0cm 1m\naction see(cup):\n    look at cup\nsee cup\nlook at cup\n"
     assert spots(text.replace("look at cup", "look at ^cup", 1)) == ["main:2:12", "main:3:13"]

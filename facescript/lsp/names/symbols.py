@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import islice
 from pathlib import Path
-from posixpath import normpath
 
 from facescript.lsp.desk import OpenWorld
 from facescript.lsp.names.elsewhere import elsewhere
@@ -86,17 +85,20 @@ class ProjectNames:
     def closure(self, name: str) -> list[str]:
         """A script and all that it uses, directly or through others, in the order in which they are read."""
         found: dict[str, None] = {}
-        self._follow(name, {normpath(name)}, found)
-        return [*found, name]
+        waiting = [name]
+        while waiting:
+            one = waiting.pop()
+            if one not in found:
+                found[one] = None
+                waiting += reversed(self._used(one))
+        return [*(other for other in found if other != name), name]
 
-    def _follow(self, name: str, way: set[str], found: dict[str, None]) -> None:
+    def _used(self, name: str) -> list[str]:
+        """The scripts that a script uses itself, those that can be read."""
         script = self.script(name)
-        for item in script.script.items if script else ():
-            if isinstance(item, tree.Use):
-                other = project_path(item.path.span, item.path.value)
-                if other not in way and other not in found and self.script(other) is not None:
-                    found[other] = None
-                    self._follow(other, {*way, other}, found)
+        uses = (item for item in script.script.items if isinstance(item, tree.Use)) if script else ()
+        others = (project_path(item.path.span, item.path.value) for item in uses)
+        return [other for other in others if self.script(other) is not None]
 
     def roots(self, name: str) -> list[str]:
         """The scripts that use one, directly or through others, and itself."""
