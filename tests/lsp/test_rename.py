@@ -16,6 +16,7 @@ from facescript.diagnostics.model import Diagnostics
 from facescript.ir.json_form import dump
 from facescript.ir.play import Play
 from facescript.lsp.desk import Desk, OpenWorld
+from facescript.lsp.features.definition import definition
 from facescript.lsp.features.rename import edits
 from facescript.lsp.names.renaming import RenameRefused
 from facescript.lsp.names.script import names_of
@@ -160,6 +161,8 @@ def test_names_in_tables_and_files_of_text_are_renamed_too(tmp_path: Path) -> No
     (tmp_path / "rows.csv").write_text('where,words,note\ncup,"cup, [look at cup]yes",cup\n  cup ,a,b\n', "utf-8")
     (tmp_path / "story.txt").write_text("A cup. [glance cup]There.", "utf-8")
     at = Desk(Workspace(tmp_path.as_uri())).analysis((tmp_path / "main.face").as_uri())
+    spot = definition(at, types.Position(2, 18))
+    assert spot is not None and spot.uri.endswith("rows.csv") and spot.range.end == types.Position(0, 5)
     told = {Path(uri).name: items for uri, items in edits(at, types.Position(0, 7), "mug").items()}
     rows = changed((tmp_path / "rows.csv").read_text("utf-8"), told["rows.csv"]).splitlines()
     assert rows[1:] == ['mug,"cup, [look at mug]yes",cup', "  mug ,a,b"]

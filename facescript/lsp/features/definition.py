@@ -1,4 +1,4 @@
-"""A name to where it is defined: in the script, in one that it uses or in the library; a file to the file itself."""
+"""A name to where it is defined: in the script, in one that it uses, in a table or in the library; a file to itself."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from lsprotocol import types
 
 from facescript.lsp.desk import Analysis
 from facescript.lsp.names.asking import asked, location, mention_at, uri_in
+from facescript.lsp.names.elsewhere import column_span
 from facescript.lsp.names.model import Mention
 from facescript.lsp.names.script import names_of
 from facescript.lsp.names.spoken import word_span
@@ -22,7 +23,7 @@ def definition(analysis: Analysis, place: types.Position) -> types.Location | No
         return None
     if mention.space in ("file", "text"):
         return _file(analysis, mention)
-    span = _word(analysis, mention) if mention.space == "word" else _defined(analysis, mention)
+    span = _WHERE.get(mention.space, _defined)(analysis, mention)
     return location(analysis, span) if span is not None else None
 
 
@@ -38,6 +39,15 @@ def _word(analysis: Analysis, mention: Mention) -> Span | None:
         names_of(analysis.compiled.script).at(mention.local.span.start)
         act = mention.local.act
     return word_span(act, mention.name, mention.nth) if act is not None else None
+
+
+def _column(analysis: Analysis, mention: Mention) -> Span | None:
+    """Where a column is named in its table; of a crowd's member there is none."""
+    table = mention.local.table if mention.local is not None else None
+    return column_span(analysis.world, table, mention.name) if table is not None else None
+
+
+_WHERE = {"word": _word, "column": _column, "spoken": _column}
 
 
 def _file(analysis: Analysis, mention: Mention) -> types.Location | None:

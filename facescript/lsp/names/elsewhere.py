@@ -42,6 +42,15 @@ def elsewhere(world: OpenWorld, script: ScriptNames) -> Iterator[Mention]:
                 yield mention
 
 
+def column_span(world: OpenWorld, table: String, name: str) -> Span | None:
+    """Where a table names a column."""
+    source = _source(world, table.span, table.value)
+    line = source.line(1) if source is not None else ""
+    spans = (span for span in _spans(line) if line[span[0] : span[1]].strip() == name)
+    found = next(spans, None)
+    return Span(source, *found) if source is not None and found is not None else None
+
+
 def _source(world: OpenWorld, span: Span, path: str) -> Source | None:
     try:
         return world.source(project_path(span, path))
