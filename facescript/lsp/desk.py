@@ -85,6 +85,12 @@ class Desk:
             del self._made[next(iter(self._made))]
         return found
 
+    def worlds(self) -> list[OpenWorld]:
+        """The projects at hand: the folders of the workspace, and those of open documents that lie in none of them."""
+        texts = self._texts()
+        roots = dict.fromkeys((*self._folders(), *(self._root(path) for path in texts)))
+        return [OpenWorld(root, texts) for root in roots]
+
     def _state(self) -> object:
         return tuple((uri, document.version) for uri, document in self._workspace.text_documents.items())
 

@@ -9,7 +9,7 @@ from pygls.lsp.server import LanguageServer
 from facescript import __version__
 from facescript.lsp.desk import Desk
 
-FEATURES = ("diagnostics",)
+FEATURES = ("diagnostics", "definition", "references", "rename", "highlight", "workspace_symbols", "calls")
 """The files of `features/`."""
 
 
