@@ -1,14 +1,32 @@
-"""A script's name on the command line to its source and the project it stands in."""
+"""A script's name on the command line to its source and the project it stands in, and these to a score."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
 
+from facescript.compile import Compiled, Settings, compile_source
+from facescript.speech.model import VoiceBox
 from facescript.text import Source
 from facescript.world import LARGEST_SCRIPT, World, WorldFailure, decode
 
 STANDARD = "-"
+PLAY = ".json"
+"""The suffix of a play."""
+
+
+def is_play(source: Source) -> bool:
+    """Whether a file is a play in JSON: by its name, and of standard input by how it begins."""
+    return source.name.endswith(PLAY) or (source.name == "<stdin>" and source.text.lstrip().startswith("{"))
+
+
+def compile_any(source: Source, world: World, voice: VoiceBox, settings: Settings) -> Compiled:
+    """A script, or a play in JSON, as far as its score."""
+    if is_play(source):
+        from facescript.cli.plays import compile_play  # pydantic: only plays pay it
+
+        return compile_play(source, world, voice, settings)
+    return compile_source(source, world, voice, settings)
 
 
 def open_script(name: str) -> tuple[Source, World]:
