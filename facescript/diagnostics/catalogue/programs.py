@@ -61,7 +61,7 @@ PROGRAMS = (
         "A name such as `trials.7.cued` comes of a repeat or an action, which a play no longer has.",
         stage="command",
         files={"play.json": play(WAIT, label='"trials.7.cued"')},
-        command=("fmt", "play.json", "-o", "-"),
+        command=("fmt", "play.json", "-o", "again.face"),
     ),
     Entry(
         "FS964",
