@@ -10,8 +10,11 @@ from facescript.resolve.units import COUNT, TIME, UNITS, USUAL_UNIT
 LONGEST = 15
 """Characters of a number that is written plainly."""
 
-DENOMINATOR = 10**12
+DENOMINATOR = 10**9
 """The largest divisor that is tried for a number that no decimals say exactly."""
+
+TINY = 10**12
+"""What the rest is divided by, of a number that no quotient says exactly either."""
 
 
 def amount(value: Amount, kind: str) -> str:
@@ -32,10 +35,14 @@ def number(value: float) -> str:
     return _decimal(value, "") or _near(value, "")
 
 
+def _scale(unit: str) -> tuple[float, float]:
+    found = UNITS.get(unit)
+    return (found.times, found.over) if found else (1.0, 1.0)
+
+
 def _decimal(value: float, unit: str) -> str:
     """The shortest decimals that are exactly `value` in a unit; nothing where there are none."""
-    scale = UNITS.get(unit)
-    times, over = (scale.times, scale.over) if scale else (1.0, 1.0)
+    times, over = _scale(unit)
     for digits in range(LONGEST):
         text = _plain(value * over / times, digits)
         if len(text) <= LONGEST and float(text) * times / over == value:
@@ -50,9 +57,8 @@ def _plain(value: float, digits: int) -> str:
 
 
 def _quotient(value: float, unit: str) -> str:
-    """`(1s / 3)`: two whole numbers whose quotient is exactly `value`, else the nearest decimals."""
-    scale = UNITS.get(unit)
-    times, over = (scale.times, scale.over) if scale else (1.0, 1.0)
+    """`(1s / 3)`: two whole numbers whose quotient is exactly `value`, else decimals and a tiny rest."""
+    times, over = _scale(unit)
     exact = Fraction(value) * Fraction(over) / Fraction(times)
     limit = 2
     while limit <= DENOMINATOR:
@@ -61,13 +67,22 @@ def _quotient(value: float, unit: str) -> str:
         if abs(top) < 10**LONGEST and top * times / over * (1.0 / bottom) == value:
             return f"({top}{unit} / {bottom})"
         limit *= 2
-    return _near(value, unit)
+    return _rested(value, unit)
+
+
+def _rested(value: float, unit: str) -> str:
+    """`(0.8s - 0.000111s / 1000000000000)`, where that is exactly `value`."""
+    near = _near(value, unit)
+    times, over = _scale(unit)
+    base = float(near.removesuffix(unit)) * times / over
+    rest = _near(abs(value - base) * TINY, unit)
+    sign = "-" if value < base else "+"
+    return near if value == base else f"({near} {sign} {rest} / {TINY})"
 
 
 def _near(value: float, unit: str) -> str:
     """Decimals as near as a script can say them."""
-    scale = UNITS.get(unit)
-    times, over = (scale.times, scale.over) if scale else (1.0, 1.0)
+    times, over = _scale(unit)
     shown = value * over / times
     whole = len(str(int(abs(shown)))) + 2
     return _plain(shown, max(0, LONGEST - whole)) + unit

@@ -114,7 +114,7 @@ def _keys(target: MovingTarget) -> Iterator[Row]:
     begins = {start for start, _ in target.lost}
     if any(start < 0.0 for start in begins):
         yield Row(1, LOST, target.span)
-    for time, place in zip(target.times, target.places, strict=True):
+    for time, place in zip(target.times, target.places, strict=False):
         yield Row(1, f"{one(time, TIME)} {_place(place)}", target.span)
         if time in begins:
             yield Row(1, LOST, target.span)

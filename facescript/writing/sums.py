@@ -68,7 +68,7 @@ class Sums:
     def _defined(self, name: str) -> str:
         usual, given = dict(self._whole(name)), self._open(name)
         parameters = ", ".join(
-            f"{_parameter(channel)} = {one(usual.get(channel, 0.0), PRIMITIVES[channel].kind)}" for channel in given
+            f"{_parameter(channel)} = {one(usual.get(channel, 0.0), _kind(channel))}" for channel in given
         )
         fixed = driven((channel, value) for channel, value in usual.items() if channel not in given)
         terms = [*fixed, *(f"{channel} {_parameter(channel)}" for channel in given)]
@@ -97,11 +97,17 @@ class Sums:
             return term.name
         usual, own = dict(self._whole(term.name)), dict(shape(term.drivers))
         given = [
-            f"{_parameter(channel)} = {one(own.get(channel, 0.0), PRIMITIVES[channel].kind)}"
+            f"{_parameter(channel)} = {one(own.get(channel, 0.0), _kind(channel))}"
             for channel in self._open(term.name)
             if own.get(channel, 0.0) != usual.get(channel, 0.0)
         ]
         return f"{term.name}({', '.join(given)})" if given else term.name
+
+
+def _kind(channel: str) -> str:
+    """What the values of a channel measure; of one that there is not, which is then refused by its name, a share."""
+    primitive = PRIMITIVES.get(channel)
+    return primitive.kind if primitive is not None else SHARE
 
 
 def _parameter(channel: str) -> str:
@@ -141,6 +147,6 @@ def driven(pairs: Iterable[tuple[str, float]]) -> list[str]:
         if ".left" in channel and rest and rest[0] == (channel.replace(".left", ".right"), value):
             del rest[0]
             name = channel.replace(".left", "")
-        text = amount(value, PRIMITIVES[channel].kind)
+        text = amount(value, _kind(channel))
         terms.append(name if text == "100%" else f"{name} {text}")
     return terms
