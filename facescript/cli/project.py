@@ -14,6 +14,9 @@ STANDARD = "-"
 PLAY = ".json"
 """The suffix of a play."""
 
+LARGEST_PLAY = 32 * 1024 * 1024
+"""Bytes of a play: in JSON a statement takes up many times what it takes in a script."""
+
 
 def is_play(source: Source) -> bool:
     """Whether a file is a play in JSON: by its name, and of standard input by how it begins."""
@@ -41,7 +44,9 @@ def open_script(name: str) -> tuple[Source, World]:
     try:
         inside = path.absolute().parent.resolve() / path.name
         world = World(here) if inside.is_relative_to(here.resolve()) else World(inside.parent)
-        return world.source(inside.relative_to(world.root.resolve()).as_posix()), world
+        place = inside.relative_to(world.root.resolve()).as_posix()
+        largest = LARGEST_PLAY if place.endswith(PLAY) else LARGEST_SCRIPT
+        return Source(place, decode(world.read(place, largest))), world
     except (OSError, ValueError, RuntimeError):
         raise WorldFailure("its path cannot be followed") from None
 

@@ -46,7 +46,7 @@ class Context:
 
     def path(self, name: str) -> str:
         """A file of the project as the script names it."""
-        return relpath(name, dirname(self.script) or ".")
+        return relpath(name or ".", dirname(self.script) or ".")
 
     def fresh(self, name: str, others: Container[str] = ()) -> str:
         """`name`, or with a number where that is taken."""

@@ -123,6 +123,8 @@ SPAN = {"file": "x.face", "line": 1, "column": 1, "end_line": 1, "end_column": 2
         (change(f"{BODY}/1/verb/aim", {"type": "AtPerson", "name": "guest"}), "FS202"),
         (change(f"{BODY}/2/verb", {"type": "SetPicture", "picture": "/etc/passwd"}), "FS7"),
         (change(f"{BODY}/2/verb", {"type": "SetPicture", "picture": "../../etc/passwd"}), "FS7"),
+        (change(f"{BODY}/2/verb", {"type": "SetPicture", "picture": ""}), "FS7"),
+        (change("play/targets/0", {"type": "MovingTarget", "name": "cup", "times": [], "places": []}), "FS332"),
         (change(f"{BODY}/2/verb/duration", 1e300), "FS115"),
         (change(f"{BODY}/2/face", "nobody"), "FS"),
         (change("version", 2), "FS961"),

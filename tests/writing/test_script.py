@@ -87,7 +87,7 @@ MANY = {
         action bow:
             nod as bowed
         say "[smile 40%]One [look at cup]two[/] three [nod 20% for 300ms]four [bow] five."
-            "[add blink 50%]Six[/] [blink]seven, eight and nine, ten and eleven, twelve and thirteen, and so on to the end of all that can be counted here."
+            "[add blink 50%]Six[/] [blink]seven, eight and nine, ten and eleven, and so on to the end of all."
             "Fourteen."
     """,
     "grounds": """
