@@ -102,8 +102,8 @@ class _Locating(json.JSONDecoder):
 
     def __init__(self) -> None:
         super().__init__()
-        self.parse_object = self._object  # type: ignore[assignment]
-        self.scan_once = json.scanner.py_make_scanner(self)
+        self.parse_object = self._object
+        self.scan_once = json.scanner.py_make_scanner(self)  # type: ignore[attr-defined]
 
     def _object(self, state: tuple[str, int], strict: bool, scan: Any, hook: Any, pairs: Any, memo: Any) -> Any:
         found, end = JSONObject(state, strict, scan, None, None, memo)
