@@ -43,10 +43,16 @@ def compile_source(source: Source, world: World, voice: VoiceBox, settings: Sett
     """The script as far as the score; `score` is None where an error stands in the way, `diagnostics` says which."""
     settings = settings or Settings()
     diagnostics = Diagnostics()
-    script = _with_events(parse(source, diagnostics), settings.events, diagnostics)
+    script = with_events(parse(source, diagnostics), settings.events, diagnostics)
     compiled = Compiled(source, diagnostics, script)
     play = resolve(script, world, diagnostics, settings.overrides)
-    if play is None or diagnostics.failed:
+    return compiled if play is None else solve(compiled, play, voice, settings)
+
+
+def solve(compiled: Compiled, play: Play, voice: VoiceBox, settings: Settings) -> Compiled:
+    """Gives `compiled` its play and, where nothing in it is an error, its score."""
+    diagnostics = compiled.diagnostics
+    if diagnostics.failed:
         return compiled
     compiled.play = replace(play, film=_film(play.film, settings.film))
     score = schedule(compiled.play, voice, diagnostics)
@@ -59,7 +65,8 @@ def compile_source(source: Source, world: World, voice: VoiceBox, settings: Sett
     return compiled
 
 
-def _with_events(script: Script, events: Source | None, diagnostics: Diagnostics) -> Script:
+def with_events(script: Script, events: Source | None, diagnostics: Diagnostics) -> Script:
+    """A script with the `event` lines of a further file."""
     if events is None:
         return script
     return Script(script.source, script.items + parse(events, diagnostics).items)

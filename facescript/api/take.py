@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 from facescript.backends.job import Job, JobFailure
 from facescript.backends.output import outputs
 from facescript.backends.registry import backends
-from facescript.compile import Settings, compile_source
+from facescript.compile import Settings
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostic
 from facescript.diagnostics.render import render
-from facescript.project import open_script
+from facescript.project import compile_any, open_script
 from facescript.schedule.explain import as_objects, explain
 from facescript.schedule.score import Score
 from facescript.speech.studio import open_studio
@@ -143,7 +143,7 @@ class Take:
 
 
 def load(path: str | Path, values: Mapping[str, str] | None = None, seed: int | None = None) -> Take:
-    """A take of a script of the disk. `values` gives `let`s others, as text of the language (`{"degree": "40%"}`),
+    """A take of a script of the disk, or of a play in JSON. `values` gives `let`s others, as text of the language (`{"degree": "40%"}`),
     `seed` another chance. Raises `ScriptFault`."""
     try:
         source, world = open_script(str(path))
@@ -161,7 +161,7 @@ def loads(
 
 def _take(source: Source, world: World, values: Mapping[str, str] | None, seed: int | None) -> Take:
     settings = Settings(values or {}, {} if seed is None else {"seed": seed})
-    compiled = compile_source(source, world, open_studio(world), settings)
+    compiled = compile_any(source, world, open_studio(world), settings)
     told = tuple(compiled.diagnostics)
     if compiled.play is None or compiled.score is None:
         raise ScriptFault(told)

@@ -1,8 +1,9 @@
-"""`facescript list`: what there is, a line each, as names and what they mean."""
+"""`facescript list`: what there is, a line each, as names and what they mean; and the texts made for programs."""
 
 from __future__ import annotations
 
 import argparse
+import json
 from collections.abc import Callable, Iterable
 from itertools import takewhile
 from pathlib import Path
@@ -12,6 +13,7 @@ from facescript.diagnostics.model import Diagnostics
 from facescript.performance.channels import CHANNELS, MUSCLES
 from facescript.resolve.kinds.library import kind_names, kinds_with, library_head
 from facescript.resolve.words import UNSEEN, VERBS, WORDS
+from facescript.resources import folder
 from facescript.speech.model import VoiceFailure
 from facescript.speech.voices.registry import engines
 from facescript.syntax.parser import parse
@@ -48,7 +50,10 @@ MUSCLES_DO = {
 
 
 def run(options: argparse.Namespace) -> int:
-    """Two columns on standard output, in the order of the thing listed."""
+    """Two columns on standard output, in the order of the thing listed; a text as it is."""
+    if options.what in TEXTS:
+        print(TEXTS[options.what](), end="")
+        return 0
     rows = list(LISTS[options.what]())
     width = max((len(name) for name, _ in rows), default=0)
     for name, meaning in rows:
@@ -150,3 +155,16 @@ LISTS: dict[str, Callable[[], Iterable[Row]]] = {
     "lives": _lives,
     "words": _words,
 }
+
+
+def _summary() -> str:
+    return (folder("docs") / "summary.md").read_text("utf-8")
+
+
+def _schema() -> str:
+    from facescript.ir.json_form import schema  # pydantic: only the schema pays it
+
+    return json.dumps(schema(), ensure_ascii=False, indent=2) + "\n"
+
+
+TEXTS: dict[str, Callable[[], str]] = {"summary": _summary, "schema": _schema}
