@@ -9,7 +9,17 @@ from pygls.lsp.server import LanguageServer
 from facescript import __version__
 from facescript.lsp.desk import Desk
 
-FEATURES = ("diagnostics",)
+FEATURES = (
+    "diagnostics",
+    "symbols",
+    "folding",
+    "selection",
+    "semantic_tokens",
+    "inlay_hints",
+    "colours",
+    "lenses",
+    "links",
+)
 """The files of `features/`."""
 
 

@@ -1,0 +1,88 @@
+"""A document to the colours of its words: tokens in the numbers of the protocol, whole or a part."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Sequence
+
+from lsprotocol import types
+
+from facescript.lsp.desk import Analysis
+from facescript.lsp.places import offset, units
+from facescript.lsp.server import FaceServer
+from facescript.lsp.tokens import Token, tokens
+from facescript.text import Source
+
+Type = types.SemanticTokenTypes
+
+TYPES = (
+    Type.Keyword,
+    Type.Class,
+    Type.Variable,
+    Type.EnumMember,
+    Type.Function,
+    Type.Event,
+    Type.Namespace,
+    Type.Parameter,
+    Type.Variable,
+    Type.Type,
+    Type.Property,
+    Type.String,
+    Type.Number,
+    Type.Number,
+    Type.Comment,
+    Type.Operator,
+)
+"""The protocol's word for each `Meaning`: the nearest that editors have colours for."""
+
+MODIFIERS = (
+    types.SemanticTokenModifiers.Definition,
+    types.SemanticTokenModifiers.Readonly,
+    types.SemanticTokenModifiers.DefaultLibrary,
+)
+"""What the bits of a token mean, the lowest first."""
+
+LEGEND = types.SemanticTokensLegend([kind.value for kind in TYPES], [modifier.value for modifier in MODIFIERS])
+
+
+def semantic_tokens(analysis: Analysis, within: types.Range | None = None) -> list[int]:
+    """Five numbers a token; `within` a range only those that begin in it."""
+    found = tokens(analysis)
+    if within is not None:
+        first, last = (offset(analysis.source, place) for place in (within.start, within.end))
+        found = found[bisect_left(found, (first,)) : bisect_left(found, (last + 1,))]
+    return _numbers(analysis.source, found)
+
+
+def _numbers(source: Source, found: Sequence[Token]) -> list[int]:
+    numbers: list[int] = []
+    line = column = start = 0
+    after = -1
+    plain = source.text.isascii()
+    for begin, end, meaning, bits in found:
+        before = line
+        if begin >= after:
+            line, start, after = _line(source, begin)
+        place, length = begin - start, end - begin
+        if not plain:
+            place, length = units(source.text[start:begin]), units(source.text[begin:end])
+        numbers += (line - before, place - column if line == before else place, length, meaning, bits)
+        column = place
+    return numbers
+
+
+def _line(source: Source, at: int) -> tuple[int, int, int]:
+    """The number (from 0) of the line of an offset, where it begins, and where the next does."""
+    line, column = source.position(at)
+    after = source.offset(line + 1)
+    return line - 1, at - column + 1, len(source.text) + 1 if after is None else after
+
+
+def register(server: FaceServer) -> None:
+    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, LEGEND)
+    def whole(_: FaceServer, params: types.SemanticTokensParams) -> types.SemanticTokens:
+        return types.SemanticTokens(semantic_tokens(server.desk.analysis(params.text_document.uri)))
+
+    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, LEGEND)
+    def part(_: FaceServer, params: types.SemanticTokensRangeParams) -> types.SemanticTokens:
+        return types.SemanticTokens(semantic_tokens(server.desk.analysis(params.text_document.uri), params.range))
