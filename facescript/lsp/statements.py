@@ -47,6 +47,25 @@ def acts(nodes: Sequence[Node], start: int, end: int) -> Iterator[tree.Act]:
         yield from acts(inside(node), start, end)
 
 
+def phrases(node: Node) -> Iterator[tree.Phrase]:
+    """The phrases of a node's own line, and of the lines of a declaration; not what stands in its block."""
+    match node:
+        case tree.Act() | tree.Setting():
+            yield from node.phrases
+        case tree.Declaration():
+            yield from node.phrases
+            for line in node.lines:
+                yield from line
+        case tree.ExpressionDefinition() | tree.LetDefinition() | tree.VisemeDefinition():
+            yield node.value
+        case tree.Repeat():
+            yield node.how
+        case tree.Moment():
+            yield node.time
+        case tree.When():
+            yield node.event
+
+
 def name_of(act: tree.Act) -> tree.Name | None:
     """The name that a line gives itself."""
     return next(label(act.phrases), None)

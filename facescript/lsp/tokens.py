@@ -85,7 +85,9 @@ class _Reader:
         for word in phrase.words:
             kind, span = type(word), word.span
             if isinstance(word, tree.Name):
-                self.add(span.start, span.end, as_ if naming else self.known.get(word.text))
+                meant = as_ if naming else self.known.get(word.text)
+                if meant is not None:
+                    self.found.append((span.start, span.end, *meant))
                 naming = word.text == "as"
             elif spoken and kind is tree.String:
                 self.spoken(span.start, span.end)

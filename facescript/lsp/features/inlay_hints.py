@@ -66,9 +66,8 @@ def _scenes(analysis: Analysis, start: int, end: int) -> Iterator[types.InlayHin
     for node in between(analysis.compiled.script.items, start, end):
         if isinstance(node, tree.Scene) and node.name.text in timed:
             scene = timed[node.name.text]
-            yield _hint(
-                analysis, node.name.span.end, Times(scene.start, scene.end).text, "from its first moment to its last"
-            )
+            label = Times(scene.start, scene.end).text
+            yield _hint(analysis, node.name.span.end, label, "the scene, from its first moment to its last")
 
 
 class _Hints:
@@ -148,12 +147,9 @@ def _told(done: TimedAct | None, first: Times) -> Iterator[str]:
 
 def _again(plays: list[Times]) -> Iterator[str]:
     if len(plays) > 1:
+        starts = ", ".join(short(one.start) for one in plays[:MOST_STARTS])
         more = f" and {len(plays) - MOST_STARTS} more" if len(plays) > MOST_STARTS else ""
-        yield (
-            f"played {len(plays)} times, from "
-            + ", ".join(short(one.start) for one in plays[:MOST_STARTS])
-            + f" s{more}"
-        )
+        yield f"played {len(plays)} times, at {starts} s{more}"
 
 
 def _hint(analysis: Analysis, at: int, label: str, told: str) -> types.InlayHint:

@@ -11,7 +11,7 @@ from pygls.uris import from_fs_path
 from facescript.lsp.desk import Analysis
 from facescript.lsp.places import range_of
 from facescript.lsp.server import FaceServer
-from facescript.lsp.statements import Node, inside
+from facescript.lsp.statements import Node, inside, phrases
 from facescript.resolve.files import project_path
 from facescript.syntax import tree
 from facescript.text import Span
@@ -40,7 +40,7 @@ def _named(node: Node) -> Iterator[tuple[tree.String, bool]]:
     """The texts in quotes that are paths, or (False) addresses."""
     if isinstance(node, tree.Use):
         yield node.path, True
-    for phrase in _phrases(node):
+    for phrase in phrases(node):
         for before, word in pairwise(phrase.words):
             if isinstance(word, tree.String) and isinstance(before, tree.Name):
                 if before.text in BEFORE_FILES:
@@ -49,18 +49,6 @@ def _named(node: Node) -> Iterator[tuple[tree.String, bool]]:
                     yield word, False
     for inner in inside(node):
         yield from _named(inner)
-
-
-def _phrases(node: Node) -> Iterator[tree.Phrase]:
-    match node:
-        case tree.Act():
-            yield from node.phrases
-        case tree.Declaration():
-            yield from node.phrases
-            for line in node.lines:
-                yield from line
-        case tree.Repeat():
-            yield node.how
 
 
 def _address(string: tree.String) -> str | None:
@@ -72,9 +60,10 @@ def _file(analysis: Analysis, string: tree.String) -> str | None:
     if not analysis.world.exists(name):
         return None
     try:
-        return from_fs_path(str(analysis.world.path(name)))
+        uri: str | None = from_fs_path(str(analysis.world.path(name)))
     except WorldFailure:
         return None
+    return uri
 
 
 def register(server: FaceServer) -> None:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 
 from lsprotocol import types
 
 from facescript.lsp.desk import Analysis
 from facescript.lsp.places import offset, range_of
 from facescript.lsp.server import FaceServer
-from facescript.lsp.statements import Node, between, inside
+from facescript.lsp.statements import Node, between, inside, phrases
 from facescript.syntax import tree
 from facescript.text import Source, Span
 
@@ -27,13 +26,12 @@ def selection(analysis: Analysis, places: Sequence[types.Position]) -> list[type
 def _chain(analysis: Analysis, at: int) -> types.SelectionRange:
     source = analysis.source
     spans = [Span(source, 0, len(source.text)), *_around(analysis.compiled.script.items, at), *_word(source, at)]
-    found = types.SelectionRange(range_of(spans[0]))
-    for outer, inner in pairwise(spans):
-        if (outer.start, outer.end) != (
-            inner.start,
-            inner.end,
-        ) and outer.start <= inner.start <= inner.end <= outer.end:
-            found = types.SelectionRange(range_of(inner), found)
+    outer = spans[0]
+    found = types.SelectionRange(range_of(outer))
+    for inner in spans[1:]:
+        if inner != outer and outer.start <= inner.start <= inner.end <= outer.end:
+            outer = inner
+            found = types.SelectionRange(range_of(outer), found)
     return found
 
 
@@ -42,28 +40,9 @@ def _around(nodes: Sequence[Node], at: int) -> Iterator[Span]:
     for node in between(nodes, at, at):
         yield node.span
         yield from _around(inside(node), at)
-        for phrase in _phrases(node):
+        for phrase in phrases(node):
             yield from _in_phrase(phrase, at)
         return
-
-
-def _phrases(node: Node) -> Iterator[tree.Phrase]:
-    """The phrases of a node's own line, and of the lines of a declaration."""
-    match node:
-        case tree.Act() | tree.Setting():
-            yield from node.phrases
-        case tree.Declaration():
-            yield from node.phrases
-            for line in node.lines:
-                yield from line
-        case tree.ExpressionDefinition() | tree.LetDefinition() | tree.VisemeDefinition():
-            yield node.value
-        case tree.Repeat():
-            yield node.how
-        case tree.Moment():
-            yield node.time
-        case tree.When():
-            yield node.event
 
 
 def _in_phrase(phrase: tree.Phrase, at: int) -> Iterator[Span]:

@@ -33,10 +33,8 @@ def _symbols(nodes: Sequence[Node]) -> Iterator[types.DocumentSymbol]:
         elif within and isinstance(node, tree.Cast):
             yield from within
         elif within:
-            header = _header(node)
-            yield types.DocumentSymbol(
-                _line(header), Kind.Object, range_of(node.span), range_of(header), children=within
-            )
+            header, where = _header(node), range_of(node.span)
+            yield types.DocumentSymbol(_line(header), Kind.Object, where, range_of(header), children=within)
 
 
 def _head(node: Node) -> tuple[str, types.SymbolKind, str, Span] | None:
