@@ -16,7 +16,7 @@ from facescript.lsp.meanings import DEFINED, OF_KIND, Meaning, Meant, channel_pa
 from facescript.lsp.statements import Node
 from facescript.syntax import tree
 from facescript.syntax.faults import Faults
-from facescript.syntax.lexer import lex_piece
+from facescript.syntax.lexer import LARGEST, lex_piece
 
 Token = tuple[int, int, Meaning, int]
 """Start and end in the source, what it is, and bits; on one line, none inside another."""
@@ -48,7 +48,9 @@ LABEL = (Meaning.LABEL, DEFINED)
 
 
 def tokens(analysis: Analysis) -> list[Token]:
-    """All tokens of a document in order."""
+    """All tokens of a document in order; of one that is too large to be read, none."""
+    if len(analysis.source.text) > LARGEST:
+        return []
     reader = _Reader(analysis)
     reader.nodes(analysis.compiled.script.items)
     reader.found.sort()

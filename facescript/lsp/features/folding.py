@@ -11,12 +11,15 @@ from lsprotocol import types
 
 from facescript.lsp.desk import Analysis
 from facescript.lsp.server import FaceServer
+from facescript.syntax.lexer import LARGEST
 
 BLANK, COMMENT = -1, -2
 
 
 def folding(analysis: Analysis) -> list[types.FoldingRange]:
-    """In the order of their first lines."""
+    """In the order of their first lines; nothing of a file that is too large to be read."""
+    if len(analysis.source.text) > LARGEST:
+        return []
     indents = [_indent(line) for line in analysis.source.text.split("\n")]
     return sorted([*_blocks(indents), *_comments(indents)], key=lambda found: (found.start_line, -found.end_line))
 
