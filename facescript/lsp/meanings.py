@@ -11,7 +11,7 @@ from functools import cache
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.lsp.desk import Analysis
-from facescript.lsp.statements import Node, inside, name_of
+from facescript.lsp.walk import Node, inside, name_of
 from facescript.performance.channels import CHANNELS
 from facescript.resolve.definitions import library_names
 from facescript.resolve.events import PERSONAL, TEXTUAL

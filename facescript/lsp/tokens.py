@@ -13,7 +13,7 @@ from typing import Any
 
 from facescript.lsp.desk import Analysis
 from facescript.lsp.meanings import DEFINED, OF_KIND, Meaning, Meant, channel_parts, meanings
-from facescript.lsp.statements import Node
+from facescript.lsp.walk import Node
 from facescript.syntax import tree
 from facescript.syntax.faults import Faults
 from facescript.syntax.lexer import LARGEST, lex_piece

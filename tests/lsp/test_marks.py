@@ -39,6 +39,9 @@ async def test_a_client_is_told_of_everything(client: LanguageClient, tmp_path: 
     full = await client.text_document_semantic_tokens_full_async(types.SemanticTokensParams(document))
     part = await client.text_document_semantic_tokens_range_async(types.SemanticTokensRangeParams(document, whole))
     assert full and part and full.data == part.data
+    again = types.SemanticTokensDeltaParams(document, full.result_id or "")
+    delta = await client.text_document_semantic_tokens_full_delta_async(again)
+    assert isinstance(delta, types.SemanticTokensDelta) and not delta.edits
     hints = await client.text_document_inlay_hint_async(types.InlayHintParams(document, whole))
     assert hints and [hint.label for hint in hints] == ["0 → 0.7 s", "0 s", "0 → 0.7 s"]
     (colour,) = await client.text_document_document_color_async(types.DocumentColorParams(document))

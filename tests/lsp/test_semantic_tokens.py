@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 from analysing import analysis
 from lsprotocol import types
 
-from facescript.lsp.features.semantic_tokens import MODIFIERS, TYPES, semantic_tokens
+from facescript.lsp.features.semantic_tokens import MODIFIERS, TYPES, change, semantic_tokens
 
 SCRIPT = """\
 face ada = woman  # brown
@@ -79,6 +81,17 @@ def test_places_count_as_editors_count_them() -> None:
         ("[", "operator"),
         ("smile", "enumMember*"),
     ]
+
+
+def test_a_change_makes_the_old_numbers_the_new_ones() -> None:
+    texts = ["nod\nblink\n", "nod\nnod 20%\nblink\n", "nod\n", "", "blink\nnod\n", "blink\nnod\n"]
+    states = [semantic_tokens(analysis(text)) for text in texts]
+    for before, after in pairwise(states):
+        made = list(before)
+        for edit in change(before, after):
+            made[edit.start : edit.start + edit.delete_count] = edit.data or ()
+        assert made == after
+    assert change(states[-1], states[-1]) == []
 
 
 def test_a_range_has_the_tokens_that_begin_in_it() -> None:

@@ -13,7 +13,7 @@ from facescript.lsp.desk import Analysis
 from facescript.lsp.places import offset, position
 from facescript.lsp.played import Played, played
 from facescript.lsp.server import FaceServer
-from facescript.lsp.statements import acts, between
+from facescript.lsp.walk import acts, between
 from facescript.schedule.phrases import phrase
 from facescript.schedule.score import FOREVER, TimedAct, TimedBlock, TimedLine, TimedScene
 from facescript.syntax import tree

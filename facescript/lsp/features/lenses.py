@@ -11,7 +11,7 @@ from facescript.lsp.features.inlay_hints import short
 from facescript.lsp.places import range_of
 from facescript.lsp.played import played
 from facescript.lsp.server import FaceServer
-from facescript.lsp.statements import acts, name_of
+from facescript.lsp.walk import acts, name_of
 from facescript.schedule.score import Score
 from facescript.syntax import tree
 from facescript.text import Span

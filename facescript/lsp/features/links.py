@@ -11,7 +11,7 @@ from pygls.uris import from_fs_path
 from facescript.lsp.desk import Analysis
 from facescript.lsp.places import range_of
 from facescript.lsp.server import FaceServer
-from facescript.lsp.statements import Node, inside, phrases
+from facescript.lsp.walk import Node, inside, phrases
 from facescript.resolve.files import project_path
 from facescript.syntax import tree
 from facescript.text import Span

@@ -10,7 +10,7 @@ from lsprotocol import types
 from facescript.lsp.desk import Analysis
 from facescript.lsp.places import offset, range_of
 from facescript.lsp.server import FaceServer
-from facescript.lsp.statements import Node, between, inside, phrases
+from facescript.lsp.walk import Node, between, inside, phrases
 from facescript.syntax import tree
 from facescript.text import Source, Span
 

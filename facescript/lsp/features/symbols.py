@@ -9,7 +9,7 @@ from lsprotocol import types
 from facescript.lsp.desk import Analysis
 from facescript.lsp.places import range_of
 from facescript.lsp.server import FaceServer
-from facescript.lsp.statements import Node, inside, name_of
+from facescript.lsp.walk import Node, inside, name_of
 from facescript.syntax import tree
 from facescript.text import Span
 
