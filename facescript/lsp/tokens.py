@@ -6,20 +6,23 @@ Lines that could not be read are not in the tree. They, and the statements in te
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import accumulate
 from typing import Any
 
 from facescript.lsp.desk import Analysis
 from facescript.lsp.meanings import DEFINED, OF_KIND, Meaning, Meant, channel_parts, meanings
-from facescript.lsp.walk import Node
+from facescript.lsp.walk import Node, between
 from facescript.syntax import tree
 from facescript.syntax.faults import Faults
 from facescript.syntax.lexer import LARGEST, lex_piece
 
 Token = tuple[int, int, Meaning, int]
 """Start and end in the source, what it is, and bits; on one line, none inside another."""
+
+Packed = int
+"""A token in one number, higher for a later one: ten thousand of these are nothing to Python's collector of garbage."""
 
 MARKS = re.compile(r"\\.|\[[^\[\]]*\]|[*|]")
 """What is no spoken text inside a text."""
@@ -47,11 +50,23 @@ KEYWORD, PARAMETER = (Meaning.KEYWORD, 0), (Meaning.PARAMETER, DEFINED)
 LABEL = (Meaning.LABEL, DEFINED)
 
 
-def tokens(analysis: Analysis) -> list[Token]:
-    """All tokens of a document in order; of one that is too large to be read, none."""
+MEANINGS = tuple(Meaning)
+
+
+def pack(start: int, end: int, meaning: int, bits: int = 0) -> Packed:
+    return start << 40 | (end - start) << 16 | meaning << 8 | bits
+
+
+def unpack(packed: Packed) -> Token:
+    start = packed >> 40
+    return start, start + (packed >> 16 & 0xFFFFFF), MEANINGS[packed >> 8 & 0xFF], packed & 0xFF
+
+
+def tokens(analysis: Analysis, first: int = 0, last: int = LARGEST) -> list[Packed]:
+    """The tokens of a document in order, at least those between two offsets; of one that is too large, none."""
     if len(analysis.source.text) > LARGEST:
         return []
-    reader = _Reader(analysis)
+    reader = _Reader(analysis, first, last)
     reader.nodes(analysis.compiled.script.items)
     reader.found.sort()
     reader.rest()
@@ -62,15 +77,16 @@ def tokens(analysis: Analysis) -> list[Token]:
 class _Reader:
     """Walks a tree. `known` says what names mean where it stands."""
 
-    def __init__(self, analysis: Analysis) -> None:
+    def __init__(self, analysis: Analysis, first: int, last: int) -> None:
+        self.first, self.last = first, last
         self.text = analysis.source.text
         self.source = analysis.source
         self.known = meanings(analysis)
-        self.found: list[Token] = []
+        self.found: list[Packed] = []
 
     def add(self, start: int, end: int, meant: Meant | None) -> None:
         if meant is not None:
-            self.found.append((start, end, *meant))
+            self.found.append(pack(start, end, *meant))
 
     @contextmanager
     def binding(self, names: Iterable[str]) -> Iterator[None]:
@@ -89,12 +105,12 @@ class _Reader:
             if isinstance(word, tree.Name):
                 meant = as_ if naming else self.known.get(word.text)
                 if meant is not None:
-                    self.found.append((span.start, span.end, *meant))
+                    self.found.append(pack(span.start, span.end, *meant))
                 naming = word.text == "as"
             elif spoken and kind is tree.String:
                 self.spoken(span.start, span.end)
             elif kind in PLAIN:
-                self.found.append((span.start, span.end, PLAIN[kind], 0))
+                self.found.append(pack(span.start, span.end, PLAIN[kind]))
             else:
                 self.compound(word)
 
@@ -106,7 +122,7 @@ class _Reader:
             self.phrase(word.inner)
         elif isinstance(word, tree.Point):
             for one in word.coordinates:
-                self.found.append((one.span.start, one.span.end, Meaning.NUMBER, 0))
+                self.found.append(pack(one.span.start, one.span.end, Meaning.NUMBER))
         elif isinstance(word, tree.Call):
             self.name(word.name)
             for argument in word.arguments:
@@ -137,22 +153,23 @@ class _Reader:
         at = start
         for mark in MARKS.finditer(self.text, start + 1, end - 1):
             if mark.start() > at:
-                self.found.append((at, mark.start(), Meaning.STRING, 0))
+                self.found.append(pack(at, mark.start(), Meaning.STRING))
             at = mark.end()
             if mark[0][0] == "[" and mark[0] != "[/]":
                 self.cue(mark.start(), at)
             else:
-                self.found.append((mark.start(), at, Meaning.OPERATOR, 0))
-        self.found.append((at, end, Meaning.STRING, 0))
+                self.found.append(pack(mark.start(), at, Meaning.OPERATOR))
+        self.found.append(pack(at, end, Meaning.STRING))
 
     def cue(self, start: int, end: int) -> None:
-        self.found.append((start, start + 1, Meaning.OPERATOR, 0))
+        self.found.append(pack(start, start + 1, Meaning.OPERATOR))
         if self.text.startswith("read ", start + 1):
-            self.found.append((start + 1, start + 5, Meaning.KEYWORD, 0))
-            self.found.append((start + 6, end - 1, Meaning.STRING, 0))
+            self.found.append(pack(start + 1, start + 5, Meaning.KEYWORD))
+            if start + 6 < end - 1:
+                self.found.append(pack(start + 6, end - 1, Meaning.STRING))
         else:
             self.loose(start + 1, end - 1)
-        self.found.append((end - 1, end, Meaning.OPERATOR, 0))
+        self.found.append(pack(end - 1, end, Meaning.OPERATOR))
 
     def loose(self, start: int, end: int) -> int:
         """The words of a piece of a line, by themselves; where the last one ends."""
@@ -164,15 +181,15 @@ class _Reader:
             elif kind == "STRING" and speaks:
                 self.spoken(begin, stop)
             elif kind in TERMINALS:
-                self.found.append((begin, stop, TERMINALS[kind], 0))
+                self.found.append(pack(begin, stop, TERMINALS[kind]))
             elif text[:1].isalpha():
                 self.add(begin, stop, self.known.get(text, KEYWORD if kind == "IN_TURN" else None))
         return found[-1][3] if found else start
 
     # -------------------------------------------------------------------------------------------- statements
 
-    def nodes(self, nodes: Iterable[Node]) -> None:
-        for node in nodes:
+    def nodes(self, nodes: Sequence[Node]) -> None:
+        for node in between(nodes, self.first, self.last):
             READERS[type(node)](self, node)
 
     def word(self, node: Node, length: int) -> None:
@@ -304,13 +321,13 @@ class _Reader:
         """Comments, and the lines of which nothing is in the tree."""
         lines = self.text.split("\n")
         starts = [0, *accumulate(len(line) + 1 for line in lines)]
-        places = iter([token[0] for token in self.found])
+        places = iter([packed >> 40 for packed in self.found])
         place = next(places, len(self.text) + 1)
         for line, start, after in zip(lines, starts, starts[1:], strict=False):
             read = place < after
             while place < after:
                 place = next(places, len(self.text) + 1)
-            if not read or "#" in line:
+            if (not read or "#" in line) and self.first < after and start <= self.last:
                 self.line(line, start, read)
 
     def line(self, line: str, start: int, read: bool) -> None:

@@ -18,7 +18,7 @@ from facescript.lsp.features.links import links
 from facescript.lsp.features.selection import selection
 from facescript.lsp.features.semantic_tokens import semantic_tokens
 from facescript.lsp.features.symbols import symbols
-from facescript.lsp.tokens import tokens
+from facescript.lsp.tokens import tokens, unpack
 
 TEXT = "scene a:\n    background #ff0000\n    nod as first\n"
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -60,7 +60,7 @@ def test_spoilt_scripts_are_marked_as_far_as_they_can_be_read() -> None:
     for _ in range(25):
         at = dice.randrange(len(text))
         made = analysis(text[:at] + dice.choice(SPOILERS) + text[at + dice.randrange(30) :])
-        found = tokens(made)
+        found = [unpack(one) for one in tokens(made)]
         assert all(first[1] <= second[0] for first, second in pairwise(found))
         assert all(start < end and "\n" not in made.source.text[start:end] for start, end, *_ in found)
         for feature in (semantic_tokens, symbols, folding, colours, lenses, links):

@@ -8,7 +8,7 @@ from facescript.lsp.desk import Analysis
 from facescript.lsp.meanings import Meaning
 from facescript.lsp.places import range_of
 from facescript.lsp.server import FaceServer
-from facescript.lsp.tokens import tokens
+from facescript.lsp.tokens import tokens, unpack
 from facescript.text import Span
 
 OPAQUE = 255
@@ -16,8 +16,8 @@ OPAQUE = 255
 
 def colours(analysis: Analysis) -> list[types.ColorInformation]:
     """Every `#rrggbb` and `#rrggbbaa`, in texts too."""
-    found = [token for token in tokens(analysis) if token[2] is Meaning.COLOUR]
-    spans = [Span(analysis.source, start, end) for start, end, *_ in found]
+    found = (unpack(one) for one in tokens(analysis))
+    spans = [Span(analysis.source, start, end) for start, end, meaning, _ in found if meaning is Meaning.COLOUR]
     return [types.ColorInformation(range_of(span), _colour(span.text)) for span in spans]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Sequence
 
 from lsprotocol import types
@@ -10,7 +9,7 @@ from lsprotocol import types
 from facescript.lsp.desk import Analysis
 from facescript.lsp.places import offset, units
 from facescript.lsp.server import FaceServer
-from facescript.lsp.tokens import Token, tokens
+from facescript.lsp.tokens import Packed, tokens, unpack
 from facescript.text import Source
 
 Type = types.SemanticTokenTypes
@@ -53,19 +52,19 @@ Answer = types.SemanticTokens | types.SemanticTokensDelta
 
 def semantic_tokens(analysis: Analysis, within: types.Range | None = None) -> list[int]:
     """Five numbers a token; `within` a range only those that begin in it."""
-    found = tokens(analysis)
-    if within is not None:
-        first, last = (offset(analysis.source, place) for place in (within.start, within.end))
-        found = found[bisect_left(found, (first,)) : bisect_left(found, (last + 1,))]
-    return _numbers(analysis.source, found)
+    if within is None:
+        return _numbers(analysis.source, tokens(analysis))
+    first, last = (offset(analysis.source, place) for place in (within.start, within.end))
+    found = tokens(analysis, first, last)
+    return _numbers(analysis.source, [one for one in found if first <= unpack(one)[0] <= last])
 
 
-def _numbers(source: Source, found: Sequence[Token]) -> list[int]:
+def _numbers(source: Source, found: Sequence[Packed]) -> list[int]:
     numbers: list[int] = []
     line = column = start = 0
     after = -1
     plain = source.text.isascii()
-    for begin, end, meaning, bits in found:
+    for begin, end, meaning, bits in map(unpack, found):
         before = line
         if begin >= after:
             line, start, after = _line(source, begin)
