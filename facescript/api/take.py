@@ -143,8 +143,11 @@ class Take:
 
 
 def load(path: str | Path, values: Mapping[str, str] | None = None, seed: int | None = None) -> Take:
-    """A take of a script of the disk, or of a play in JSON. `values` gives `let`s others, as text of the language (`{"degree": "40%"}`),
-    `seed` another chance. Raises `ScriptFault`."""
+    """A take of a script of the disk, or of a play in JSON.
+
+    `values` gives `let`s others, as text of the language (`{"degree": "40%"}`), `seed` another chance. Raises
+    `ScriptFault`.
+    """
     try:
         source, world = open_script(str(path))
     except WorldFailure as fault:

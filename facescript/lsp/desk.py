@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from pygls.uris import from_fs_path, to_fs_path
-from pygls.workspace import Workspace
+from pygls.workspace import TextDocument, Workspace
 
 from facescript.compile import Compiled, compile_source
 from facescript.speech.voices.known import KnownTimes
@@ -95,7 +95,7 @@ class Desk:
         return tuple((uri, document.version) for uri, document in self._workspace.text_documents.items())
 
     def _analysed(self, uri: str) -> Analysis:
-        document = self._workspace.get_text_document(uri)
+        document = _readable(self._workspace.get_text_document(uri))
         path = Path(to_fs_path(uri) or "untitled.face")
         world = OpenWorld(self._root(path), self._texts())
         source = Source(_name(world, path), _plain(document.source))
@@ -123,6 +123,15 @@ def _name(world: World, path: Path) -> str:
         return path.resolve().relative_to(world.root.resolve()).as_posix()
     except ValueError:
         return path.name
+
+
+def _readable(document: TextDocument) -> TextDocument:
+    """A document that is not open and whose file cannot be read is empty."""
+    try:
+        document.source  # noqa: B018 (it reads the file)
+    except (OSError, ValueError):
+        return TextDocument(document.uri, "", document.version)
+    return document
 
 
 def _plain(text: str) -> str:

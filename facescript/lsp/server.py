@@ -9,7 +9,23 @@ from pygls.lsp.server import LanguageServer
 from facescript import __version__
 from facescript.lsp.desk import Desk
 
-FEATURES = ("diagnostics", "definition", "references", "rename", "highlight", "workspace_symbols", "calls")
+FEATURES = (
+    "calls",
+    "colours",
+    "definition",
+    "diagnostics",
+    "folding",
+    "highlight",
+    "inlay_hints",
+    "lenses",
+    "links",
+    "references",
+    "rename",
+    "selection",
+    "semantic_tokens",
+    "symbols",
+    "workspace_symbols",
+)
 """The files of `features/`."""
 
 

@@ -49,14 +49,15 @@ def named(body: tuple[tree.Statement, ...]) -> Iterator[tree.Name]:
     """The names given with `as` in a block; a repeat's own belong to its passes."""
     for statement in body:
         if isinstance(statement, tree.Act):
-            yield from _label(statement.phrases)
+            yield from label(statement.phrases)
             for on in statement.ons:
                 yield from named(on.body)
         elif not isinstance(statement, tree.Repeat):
             yield from named(statement.body)
 
 
-def _label(phrases: tuple[tree.Phrase, ...]) -> Iterator[tree.Name]:
+def label(phrases: tuple[tree.Phrase, ...]) -> Iterator[tree.Name]:
+    """The name that a line gives itself with `as`, where it does."""
     for phrase in phrases:
         words = phrase.words
         for index in range(1 if phrase is phrases[0] else 0, len(words) - 1):
