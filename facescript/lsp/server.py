@@ -9,7 +9,7 @@ from pygls.lsp.server import LanguageServer
 from facescript import __version__
 from facescript.lsp.desk import Desk
 
-FEATURES = ("diagnostics",)
+FEATURES = ("diagnostics", "fixes", "completion", "hover", "signature", "formatting")
 """The files of `features/`."""
 
 
