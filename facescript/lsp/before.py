@@ -1,4 +1,4 @@
-"""A text and a place in it to what stands before the place: its line as tokens, half-written or not, and the blocks around.
+"""A text and a place in it to what stands before the place: its line as tokens, half-written or not, and its blocks.
 
 The compiler's tree says nothing of the line that is being written; this reads it with the compiler's own lexer.
 """

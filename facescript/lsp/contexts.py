@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from itertools import pairwise
 
 from facescript.lsp import offers
 from facescript.lsp.here import Here
 from facescript.lsp.offers import Offer
 from facescript.lsp.statements import in_verb, settings
 from facescript.lsp.values import SUFFIXES, anything, in_sum, time_values
+from facescript.lsp.vocabulary import crowd_size
 from facescript.resolve.blocks import HANDLERS
 from facescript.resolve.events import PERSONAL, TEXTUAL
 from facescript.resolve.kinds.library import kind_names
@@ -174,7 +176,7 @@ def _sum(here: Here, words: Words) -> Iterator[Offer]:
     yield from in_sum(here)
     if words[0] == "expression":
         inside = here.before.tokens[2 : words.index("=")]
-        names = (token[1] for before, token in zip(inside, inside[1:], strict=False) if before[1] in "(,")
+        names = (token[1] for before, token in pairwise(inside) if before[1] in "(,")
         yield from (Offer(name, "parameter", f"parameter of {words[1]}") for name in names)
 
 
@@ -185,7 +187,7 @@ def _target(here: Here, words: Words) -> Iterator[Offer]:
         yield from (
             offers.defined_as(each, each.name)
             for each in here.project.names.all("target")
-            if each.name != words[1] and not offers.crowd_size(each)
+            if each.name != words[1] and not crowd_size(each)
         )
 
 

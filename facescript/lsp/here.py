@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 from facescript.lsp.before import Before
 from facescript.lsp.desk import Analysis
@@ -135,6 +136,6 @@ def _heads(line: tuple[Token, ...]) -> list[tuple[Token, ...]]:
 
 def _parameters(block: tuple[Token, ...]) -> Iterator[str]:
     """The names in the brackets of a definition's head that begin a parameter."""
-    for before, token in zip(block, block[1:], strict=False):
+    for before, token in pairwise(block):
         if token[0] == "NAME" and before[0] in ("_OPEN", "COMMA", "LPAR"):
             yield token[1]

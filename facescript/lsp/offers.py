@@ -1,4 +1,4 @@
-"""What an author may write next, list by list: names, words of the language, units, files; each compiles where it belongs."""
+"""What an author may write next, list by list: names, words, units, files; each compiles in its place."""
 
 from __future__ import annotations
 

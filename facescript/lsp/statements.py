@@ -96,9 +96,9 @@ def _modifiers(here: Here, rows: Rows, parts: list[Part], part: Part) -> Iterato
     for row in rows.values():
         if not {row.name, row.group} & taken:
             yield from _rest(here, row, part.words)
-    row = row_of(rows, part.words)
-    if row is not None and row.name != "as" and _is_whole(row, part.words):
-        yield from offers.modifiers(rows.values(), taken | {row.name, row.group}, True)
+    found = row_of(rows, part.words)
+    if found is not None and found.name != "as" and _is_whole(found, part.words):
+        yield from offers.modifiers(rows.values(), taken | {found.name, found.group}, True)
 
 
 def _rest(here: Here, row: Modifier, words: Words) -> Iterator[Offer]:

@@ -1,9 +1,10 @@
-"""An analysis to the names that its document may use, and what is known of each: definitions, labels, what is around."""
+"""An analysis to the names that its document may use, and what is known of each: definitions and labels."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from itertools import pairwise
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.values import Driver
@@ -117,7 +118,7 @@ def labels(body: Iterable[tree.Statement], place: int) -> Iterator[tuple[str, tr
 def label_of(act: tree.Act) -> tree.Name | None:
     """The name that `as` gives a statement."""
     words = [word for phrase in act.phrases for word in phrase.words][1:]
-    for word, name in zip(words, words[1:], strict=False):
+    for word, name in pairwise(words):
         if isinstance(word, tree.Name) and word.text == "as" and isinstance(name, tree.Name):
             return name
     return None

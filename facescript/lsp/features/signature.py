@@ -1,4 +1,4 @@
-"""A place in a call or a statement to what it takes: the parameters of expressions and actions, the modifiers of verbs."""
+"""A place in a call or a statement to what it takes: parameters of expressions and actions, modifiers of verbs."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from lsprotocol import types
 
-from facescript.lsp.before import before
+from facescript.lsp.before import before, lexed
 from facescript.lsp.desk import Analysis
 from facescript.lsp.here import Here
 from facescript.lsp.places import offset
@@ -42,7 +42,7 @@ def signature(analysis: Analysis, source: Source, place: types.Position) -> type
         return _call(here, found.tokens[called:])
     name = found.words[0]
     definition = here.project.names.find(name)
-    parts = parts_of(found.tokens)
+    parts = parts_of((*found.tokens, *lexed(source, found.start, found.word)))
     if name in ROWS:
         return _verb(name, parts)
     return _action(definition, parts) if definition is not None and definition.kind == "action" else None
@@ -91,7 +91,7 @@ def _named(parameters: Iterable[Parameter], name: str) -> int | None:
 def _help(
     head: str, pieces: list[_Piece], between: str, tail: str, active: int | None, says: str
 ) -> types.SignatureHelp:
-    """Parts are told by where they stand in the whole, in UTF-16 units. None is active where `active` is beyond them."""
+    """Parts are told by where they stand in the whole, in UTF-16 units. Without `active` none is at hand."""
     text, parameters = head, []
     for number, piece in enumerate(pieces):
         text += between if number else ""
