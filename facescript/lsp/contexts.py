@@ -183,7 +183,7 @@ def _sum(here: Here, words: Words) -> Iterator[Offer]:
 def _target(here: Here, words: Words) -> Iterator[Offer]:
     if len(words) == 2:
         yield from offers.plain(("at", "moves", "from", "of"))
-    elif words[2] == "of":
+    elif words[2:3] == ("of",):
         yield from (
             offers.defined_as(each, each.name)
             for each in here.project.names.all("target")
@@ -204,6 +204,8 @@ def _when(here: Here, words: Words) -> Iterator[Offer]:
         yield from offers.plain((*TEXTUAL, "person"))
     elif words[1:] == ("person",):
         yield from offers.plain(PERSONAL)
+    elif words[1] == "person" and len(words) == 3:
+        yield from offers.plain(("as",))
 
 
 def _event(here: Here, words: Words) -> Iterator[Offer]:

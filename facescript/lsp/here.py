@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise
 
 from facescript.lsp.before import Before
 from facescript.lsp.desk import Analysis
 from facescript.lsp.offers import Offer
 from facescript.lsp.vocabulary import around, is_say, labels, project_of, spoken_words
-from facescript.resolve.project import Project
+from facescript.resolve.project import Project, Refused
+from facescript.resolve.tables import rows
 from facescript.syntax import tree
 from facescript.syntax.spacing import Token
+from facescript.syntax.tree import String
+from facescript.text import Span
+
+MOST_LABELS = 50
+"""Statements whose names are offered as times, unless more of a name is written."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,17 +88,33 @@ class Here:
             if words[:1] in (["action"], ["expression"]):
                 yield from (Offer(name, "parameter", f"parameter of {words[1]}") for name in _parameters(block))
             elif words[:1] == ["repeat"] and words[2:3] == ["in"]:
-                yield Offer(words[1], "parameter", "one of " + " ".join(words[3:4]))
+                yield from self._rows(words[1], block[3:4])
             elif words[:1] == ["when"] and "as" in words[:-1]:
                 yield Offer(words[words.index("as") + 1], "parameter", "the person of this reaction")
 
+    def _rows(self, name: str, what: tuple[Token, ...]) -> Iterator[Offer]:
+        """What the name of a repeat stands for: one of a crowd, or the cells of a table by their columns."""
+        for kind, text, start, end in what:
+            if kind != "STRING":
+                yield Offer(name, "parameter", f"one of {text}")
+                continue
+            table = String(text[1:-1], Span(self.analysis.source, start, end))
+            with suppress(Refused):
+                columns = rows(self.project, table)[0].cells if rows(self.project, table) else ()
+                yield from (Offer(f"{name}.{column}", "parameter", f"a column of {text}") for column in columns)
+
     def labels(self) -> list[tuple[str, tree.Act]]:
-        return list(labels(around(self.analysis, self.before.place), self.before.place))
+        """The names of statements that can be seen from here, the nearest first."""
+        place = self.before.place
+        found = labels(around(self.analysis, place), place)
+        return sorted(found, key=lambda each: abs(each[1].span.start - place))
 
     def moments(self) -> Iterator[Offer]:
         """The times that named statements give; the words of a line where its name and a dot are written."""
         word = self.before.word
-        for name, act in self.labels():
+        typed = word.partition(".")[0]
+        near = (each for each in self.labels() if each[0].startswith(typed))
+        for name, act in islice(near, MOST_LABELS):
             says = " ".join(act.span.text.split("\n")[0].split())
             yield Offer(f"{name}.start", "label", says)
             yield Offer(f"{name}.end", "label", says)
@@ -100,15 +123,10 @@ class Here:
 
     def words_above(self) -> list[str]:
         """The words of the line of speech in whose block the place stands."""
-        if not self.before.openers or not self.before.openers[0]:
-            return []
-        start = self.before.openers[0][0][2]
+        opener = self.before.openers[0] if self.before.openers else ()
+        start = next((token[2] for token in opener if token[1] == "say"), None)
         body = around(self.analysis, self.before.place)
-        return next((spoken_words(self.project, act) for act in _said(body) if _near(act, start)), [])
-
-
-def _near(act: tree.Act, start: int) -> bool:
-    return act.span.start <= start <= act.span.end or act.span.start == start
+        return next((spoken_words(self.project, act) for act in _said(body) if act.span.start == start), [])
 
 
 def _said(body: tuple[tree.Statement, ...]) -> Iterator[tree.Act]:

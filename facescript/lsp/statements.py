@@ -57,6 +57,8 @@ def in_verb(here: Here) -> Iterator[Offer]:
     action = here.project.names.find(name)
     if name in VERBS and name in ROWS:
         yield from _line(here, ROWS[name], _HEADS.get(name, _no_head))
+        if tokens[-1][0] in ("QUANTITY", "INTEGER") and here.before.words[-2] != "to":
+            yield from offers.plain(("to",))
     elif action is not None and isinstance(action.node, tree.ActionDefinition):
         yield from _line(here, rows_of(action.node), _first_argument)
 
@@ -98,7 +100,7 @@ def _modifiers(here: Here, rows: Rows, parts: list[Part], part: Part) -> Iterato
             yield from _rest(here, row, part.words)
     found = row_of(rows, part.words)
     if found is not None and found.name != "as" and _is_whole(found, part.words):
-        yield from offers.modifiers(rows.values(), taken | {found.name, found.group}, True)
+        yield from offers.modifiers(rows.values(), taken | {found.name, found.group or found.name}, True)
 
 
 def _rest(here: Here, row: Modifier, words: Words) -> Iterator[Offer]:
@@ -184,28 +186,28 @@ def _drop(here: Here, words: Words) -> Iterator[Offer]:
     if words:
         yield WHOLE
         return
-    shown = {"show", "add"}
     for name, act in here.labels():
-        if act.phrases[0].words[0].span.text in shown:
+        if _lays(act):
             yield Offer(name, "label", " ".join(act.span.text.split()))
-    for name in sorted(_shown(here.items, here)):
+    known = {*PRIMITIVES, *here.project.names.known("expression")}
+    for name in sorted(known.intersection(_shown(here.items))):
         yield Offer(name, "expression", "is shown or added")
 
 
-def _shown(items: Iterable[object], here: Here) -> Iterator[str]:
-    """The names of what `show` and `add` lay on faces anywhere in the script."""
+def _lays(act: tree.Act) -> bool:
+    verb = act.phrases[0].words[0]
+    return isinstance(verb, tree.Name) and verb.text in ("show", "add")
+
+
+def _shown(items: Iterable[object]) -> Iterator[str]:
+    """The names in what `show` and `add` lay on faces anywhere in the script."""
     for item in items:
         if isinstance(item, tree.Act):
-            words = item.phrases[0].words
-            if words[0].span.text in ("show", "add"):
-                yield from (spelled(word) for word in words[1:] if isinstance(word, tree.Name) and _is_term(here, word))
+            if _lays(item):
+                words = item.phrases[0].words[1:]
+                yield from (spelled(word) for word in words if isinstance(word, tree.Name | tree.Dotted))
         elif hasattr(item, "body"):
-            yield from _shown(item.body, here)
-
-
-def _is_term(here: Here, word: tree.Name) -> bool:
-    found = here.project.names.find(word.text)
-    return word.text in PRIMITIVES or (found is not None and found.kind == "expression")
+            yield from _shown(item.body)
 
 
 def _gesture(here: Here, words: Words) -> Iterator[Offer]:
@@ -219,7 +221,7 @@ def _sided(here: Here, words: Words) -> Iterator[Offer]:
 
 def _say(here: Here, words: Words) -> Iterator[Offer]:
     if not words:
-        yield from offers.plain(("text", "ssml"))
+        yield from offers.plain(("text", "ssml", "from", "timed"))
         yield from here.bound()
     else:
         yield WHOLE

@@ -89,6 +89,8 @@ def in_scene(line: str) -> dict[str, types.CompletionItem]:
         ("wait until |", "hello.start hello.end", "smile"),
         ("wait until hello.|", 'hello.end hello."lost"', "smile"),
         ('wait until hello."c|', 'hello."cup" hello."lost"', "beat"),
+        ("wait 1s |", "to as", "for"),
+        ("ada: show smile for 1s |", "over|back in|ease|to", "for"),
         ("view |", "all ada bruno", "cup"),
         ("ada: life |", "calm reading", "blink"),
         ("ada: life calm, |", "blink|sway", "over"),
@@ -132,6 +134,8 @@ def test_in_a_scene(line: str, there: str, not_there: str) -> None:
         ("face a = man\nface b = man\nscene s with |", "a b", "smile"),
         ('say "Two words."\n    |', 'on "Two":|on "words":', "look"),
         ('say "Two words."\n    on "|', "Two words", "look"),
+        ('face a = man\nface b = man\na: say "Two words."\n    |', 'on "Two":|', "look"),
+        ("when person arrives |", "as", "look"),
         ("show smile +\n    |", "AU12", "look"),
     ],
 )
@@ -162,6 +166,7 @@ def test_files_of_the_project_are_offered(tmp_path: Path) -> None:
     from facescript.lsp.desk import Desk
 
     (tmp_path / "parts").mkdir()
+    (tmp_path / "trials.csv").write_text("who,soa\ncup,200ms\n", "utf-8")
     for name in ("parts/studio.face", "story.txt", ".hidden.face", "track.csv"):
         (tmp_path / name).write_text("", "utf-8")
     text = 'use "p'
@@ -169,6 +174,9 @@ def test_files_of_the_project_are_offered(tmp_path: Path) -> None:
     workspace.put_text_document(types.TextDocumentItem((tmp_path / "a.face").as_uri(), "face", 1, text))
     found = Desk(workspace).analysis((tmp_path / "a.face").as_uri())
     (item,) = completions(found, found.source, types.Position(0, len(text)))
+    lines = Source("a.face", 'repeat trial in "trials.csv":\n    look at ')
+    columns = [each.label for each in completions(found, lines, types.Position(1, 12))]
+    assert "trial.who" in columns and "trial" not in columns
     assert item.label == "parts/studio.face" and item.kind == types.CompletionItemKind.File
     assert isinstance(item.text_edit, types.TextEdit) and item.text_edit.range.start.character == 5
 

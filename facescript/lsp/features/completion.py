@@ -7,7 +7,7 @@ from lsprotocol import types
 from facescript.lsp.before import before
 from facescript.lsp.contexts import offered
 from facescript.lsp.desk import Analysis
-from facescript.lsp.here import Here
+from facescript.lsp.here import MOST_LABELS, Here
 from facescript.lsp.offers import Offer, described
 from facescript.lsp.places import offset, position
 from facescript.lsp.server import FaceServer
@@ -59,6 +59,11 @@ def _item(offer: Offer, where: types.Range, order: int) -> types.CompletionItem:
     )
 
 
+def _is_cut(items: list[types.CompletionItem]) -> bool:
+    """Whether there may be more names of statements, so that an editor asks again when more of one is written."""
+    return sum(item.kind == KINDS["label"] for item in items) >= 2 * MOST_LABELS
+
+
 def documentation(analysis: Analysis, source: Source, place: types.Position, name: str) -> str | None:
     """What is said of one of the offers at a place, in Markdown."""
     found = before(source, offset(source, place))
@@ -79,7 +84,7 @@ def register(server: FaceServer) -> None:
             return types.CompletionList(is_incomplete=False, items=[])
         asked_at[:] = [(uri, params.position)]
         items = completions(server.desk.latest(uri), server.desk.source(uri), params.position)
-        return types.CompletionList(is_incomplete=False, items=items)
+        return types.CompletionList(is_incomplete=_is_cut(items), items=items)
 
     @server.feature(types.COMPLETION_ITEM_RESOLVE)
     def resolved(_: FaceServer, item: types.CompletionItem) -> types.CompletionItem:
