@@ -42,8 +42,11 @@ async def test_a_line_is_written_mended_and_laid_out(client: LanguageClient, tmp
     part = types.DocumentRangeFormattingParams(document, whole, options)
     assert not await client.text_document_range_formatting_async(part)
 
+    await nobody_opened(client)
 
-async def test_documents_that_nobody_opened_are_answered(client: LanguageClient) -> None:
+
+async def nobody_opened(client: LanguageClient) -> None:
+    """What is asked of a document that no editor has opened is answered, with nothing."""
     document, place = types.TextDocumentIdentifier("file:///nowhere/at/all.face"), types.Position(7, 7)
     where = types.Range(place, place)
     options = types.FormattingOptions(4, True)
