@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import argparse
 
-from facescript.cli.project import open_script
 from facescript.cli.report import show, show_json
 from facescript.cli.settings import settings
 from facescript.compile import compile_source
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostic
+from facescript.project import open_script
 from facescript.speech.voices.known import KnownTimes
 from facescript.world import WorldFailure
 

@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 
 from facescript.backends.output import write_whole
-from facescript.cli.project import STANDARD, open_script
 from facescript.cli.report import FAULTS, refuse, show
 from facescript.diagnostics.model import Diagnostics
+from facescript.project import STANDARD, open_script
 from facescript.syntax.formatter import format_source
 from facescript.syntax.parser import parse
 from facescript.text import Source

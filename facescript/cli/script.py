@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from facescript.cli.project import open_script
 from facescript.cli.settings import settings
 from facescript.compile import Compiled, compile_source
+from facescript.project import open_script
 from facescript.speech.studio import open_studio
 from facescript.world import World
 
