@@ -12,6 +12,7 @@ from pathlib import Path
 from posixpath import dirname, relpath
 
 from facescript.lsp.describe import definition_text, head_of, modifier_text, primitive_text, verb_text, word_text
+from facescript.lsp.desk import OpenWorld
 from facescript.lsp.vocabulary import crowd_size, kind_of_face, parameters_of, recipe
 from facescript.resolve.drivers import PRIMITIVES
 from facescript.resolve.meanings import MUSCLES_DO, comment_of, first_sentence
@@ -192,10 +193,10 @@ def _voices() -> tuple[tuple[tuple[str, ...], str], ...]:
     return tuple(found)
 
 
-def files(world: World, script: str, suffixes: tuple[str, ...]) -> Iterator[Offer]:
-    """Files of the project with these suffixes (any, where there are none), as the script would name them."""
-    for name in _found(world.root):
-        if name != script and name.casefold().endswith(suffixes or ("",)):
+def files(world: OpenWorld, script: str, suffixes: tuple[str, ...]) -> Iterator[Offer]:
+    """Files of the project with these suffixes, saved or open, as the script would name them."""
+    for name in dict.fromkeys((*world.opened(), *_found(world.root))):
+        if name != script and name.casefold().endswith(suffixes):
             yield Offer(relpath(name, dirname(script) or "."), "file")
 
 

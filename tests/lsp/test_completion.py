@@ -128,6 +128,7 @@ def test_in_a_scene(line: str, there: str, not_there: str) -> None:
         ("expression e = |", "smile AU1", "camera"),
         ("expression e(much) = smile |", "much", "AU1"),
         ("target lamp |", "at moves of from", "smile"),
+        ('use "|', "studio.face", "a.face"),
         ("when |", "heard person", "smile"),
         ("when person |", "arrives", "smile"),
         ("action a(b):\n    look at |", "b camera", "smile"),
@@ -140,7 +141,7 @@ def test_in_a_scene(line: str, there: str, not_there: str) -> None:
     ],
 )
 def test_outside_of_scenes(text: str, there: str, not_there: str) -> None:
-    found = items(text)
+    found = items(text, studio=STUDIO)
     assert [name for name in there.split("|" if "|" in there else None) if name and name not in found] == []
     assert [name for name in not_there.split() if name in found] == []
 
