@@ -156,6 +156,34 @@ def test_what_is_accepted_compiles(line: str) -> None:
     assert [item.message for item in compiled.diagnostics if item.severity is Severity.ERROR] == []
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        "wait until |",
+        "at |: nod",
+        "view |",
+        "glance |, eyes only",
+        "scan |, 600ms each",
+        "show smile over 1s ease |",
+        "tilt |",
+        "look left |",
+        "show smile 40% for 3|",
+        "wait 3|",
+        "drop |",
+        "show smile for |",
+    ],
+)
+def test_what_is_accepted_inside_of_a_line_compiles(line: str) -> None:
+    head = "film 640x480, 30s long\nlet beat = 400ms\ntarget all-of-them of (1cm 2cm 1m) (3cm 2cm 1m)\n"
+    head += 'show smile 40%\nsay "Two words." as hello\n'
+    found = items(f"{head}{line}")
+    values = {name: item for name, item in found.items() if name not in ("over", "for", "back in", "as", "up", "down")}
+    lines = "".join(line.replace("3|" if "3|" in line else "|", edited(item)) + "\n" for item in values.values())
+    faults = [item.message for item in analysis(head + lines).compiled.diagnostics if item.severity is Severity.ERROR]
+    assert values or line == "look left |"
+    assert faults == []
+
+
 def edited(item: types.CompletionItem) -> str:
     assert isinstance(item.text_edit, types.TextEdit)
     return item.text_edit.new_text

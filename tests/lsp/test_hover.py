@@ -92,6 +92,22 @@ def test_what_is_said(before: str, word: str, says: tuple[str, ...]) -> None:
     assert [each for each in says if each not in text] == []
 
 
+@pytest.mark.parametrize(
+    ("column", "says"),
+    [
+        (8, ("expression smile = AU12", "cheek.lower 100%")),
+        (35, ("look at TARGET", "starts about ")),
+        (44, ("straight ahead",)),
+        (53, ("the head stays",)),
+        (30, ("Speaks for",)),
+    ],
+)
+def test_a_statement_in_a_text_is_told_of(column: int, says: tuple[str, ...]) -> None:
+    found = analysis('say "[smile 40%]Good morning.[/] [look at camera, eyes only]All of you."\n')
+    text = str(hover(found, types.Position(0, column)))
+    assert [each for each in says if each not in text] == []
+
+
 def test_a_statement_of_an_action_has_the_times_of_each_call() -> None:
     found = analysis("action a:\n    nod\na\na\na\na\na\n")
     text = str(hover(found, types.Position(1, 5)))

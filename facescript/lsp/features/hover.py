@@ -8,6 +8,7 @@ from typing import Any
 
 from lsprotocol import types
 
+from facescript.diagnostics.model import Diagnostics
 from facescript.lsp.before import lexed
 from facescript.lsp.describe import code, definition_text, modifier_text, primitive_text, verb_text, word_text
 from facescript.lsp.desk import Analysis
@@ -23,6 +24,7 @@ from facescript.resolve.reader import spelled
 from facescript.resolve.words import FACE, FILM, VERBS, Modifier
 from facescript.schedule.score import FOREVER, TimedAct
 from facescript.syntax import tree
+from facescript.syntax.parser import parse_phrases
 from facescript.text import Span
 
 MOST_TIMES = 3
@@ -36,6 +38,9 @@ def hover(analysis: Analysis, place: types.Position) -> types.Hover | None:
     if word is None:
         return None
     nodes = way(analysis.compiled.script, at)
+    if nodes and isinstance(nodes[-1], tree.String) and (cue := _cue(nodes[-1], at)) is not None:
+        nodes = [*nodes, *cue]
+        word = cue[-1].span
     parts = [text for text in (_meaning(analysis, nodes, word), *_times(analysis, nodes, word)) if text]
     if not parts:
         return None
@@ -49,6 +54,21 @@ def _word_at(analysis: Analysis, at: int) -> Span | None:
     tokens = lexed(source, at - column + 1, source.line(number))
     inside = [(start, end) for _, _, start, end in tokens if start <= at <= end]
     return Span(source, *inside[-1]) if inside else None
+
+
+def _cue(text: tree.String, at: int) -> list[Any] | None:
+    """The statement in brackets that a place in a text is in, its phrase and its word; None where there is none."""
+    source = text.span.source
+    start = source.text.rfind("[", text.span.start, at)
+    end = source.text.find("]", at, text.span.end)
+    if start < 0 or end < 0 or "]" in source.text[start:at]:
+        return None
+    span = Span(source, start + 1, end)
+    phrases = parse_phrases(span, Diagnostics())
+    held = [
+        (phrase, word) for phrase in phrases or () for word in phrase.words if word.span.start <= at <= word.span.end
+    ]
+    return [tree.Act(phrases, (), (), span), *held[-1]] if phrases and held else None
 
 
 # ------------------------------------------------------------------------------------------------ what it is
@@ -152,7 +172,7 @@ def _told(timed: TimedAct) -> str:
     """`starts 2.31 s, settled 2.60 s, ends 4.00 s`; "about" where a line's length is estimated."""
     about = "about " if timed.estimated else ""
     end = "until replaced" if timed.end == FOREVER else f"ends {timed.end:.2f} s"
-    return f"{about}starts {timed.start:.2f} s, settled {timed.settled:.2f} s, {end}"
+    return f"starts {about}{timed.start:.2f} s, settled {timed.settled:.2f} s, {end}"
 
 
 def register(server: FaceServer) -> None:
