@@ -63,12 +63,11 @@ def _cue(text: tree.String, at: int) -> list[Any] | None:
     end = source.text.find("]", at, text.span.end)
     if start < 0 or end < 0 or "]" in source.text[start:at]:
         return None
-    span = Span(source, start + 1, end)
-    phrases = parse_phrases(span, Diagnostics())
+    phrases = parse_phrases(Span(source, start + 1, end), Diagnostics())
     held = [
         (phrase, word) for phrase in phrases or () for word in phrase.words if word.span.start <= at <= word.span.end
     ]
-    return [tree.Act(phrases, (), (), span), *held[-1]] if phrases and held else None
+    return [tree.Act(phrases, (), (), Span(source, start, end + 1)), *held[-1]] if phrases and held else None
 
 
 # ------------------------------------------------------------------------------------------------ what it is
