@@ -10,7 +10,7 @@ from facescript.resolve.meanings import FACES, MUSCLES_DO, comment_of
 from facescript.resolve.names import Definition
 from facescript.resolve.project import Project
 from facescript.resolve.units import EXAMPLES
-from facescript.resolve.words import BLOCKS, DEFINITIONS, ENDINGS, GIVEN, Modifier, Verb
+from facescript.resolve.words import BLOCKS, DEFINITIONS, ENDINGS, GIVEN, JOINING, Modifier, Verb
 from facescript.syntax import tree
 
 LONGEST = 400
@@ -40,7 +40,8 @@ def word_text(name: str) -> str | None:
     row = BLOCKS.get(name) or DEFINITIONS.get(name) or ENDINGS.get(name)
     if row is not None:
         return f"{code(row.form)}\n\n{row.help}"
-    return f"`{name}`: {GIVEN[name]}" if name in GIVEN else None
+    says = GIVEN.get(name) or JOINING.get(name)
+    return f"`{name}`: {says}" if says else None
 
 
 def primitive_text(name: str) -> str:

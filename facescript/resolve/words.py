@@ -286,6 +286,10 @@ GIVEN: dict[str, str] = {
     "neutral": "a sum of nothing: the face at rest",
     "all": "all faces",
     "none": "nothing",
+}
+"""Words that stand for something everywhere."""
+
+JOINING: dict[str, str] = {
     "until": "a moment: `wait until hello.end`",
     "forever": "until the film's `long`",
     "times": "how often: `repeat 3 times:`",
@@ -293,7 +297,7 @@ GIVEN: dict[str, str] = {
     "with": "the faces of a scene",
     "person": "whom an event brings: `when person arrives as NAME:`",
 }
-"""Words that stand for something everywhere."""
+"""Words inside of lines that are no modifiers."""
 
 _CHANNELS = "brow cheek chin ear eye forehead gaze head lid lip mouth muzzle nose pupil"
 
@@ -303,6 +307,7 @@ WORDS: frozenset[str] = frozenset(
         *DIRECT,
         *(name.split()[0] for name in (*BLOCKS, *ENDINGS, *DEFINITIONS)),
         *GIVEN,
+        *JOINING,
         *_CHANNELS.split(),
     }
 )

@@ -1,18 +1,22 @@
-"""A text, and others open beside it, to the analysis that features answer from."""
+"""Texts to the analysis of the first, as an editor would have them open."""
 
 from __future__ import annotations
 
-from lsprotocol.types import TextDocumentItem
+from pathlib import Path
+
+from lsprotocol import types
 from pygls.workspace import Workspace
 
 from facescript.lsp.desk import Analysis, Desk
 
-FOLDER = "file:///nowhere/project"
+ROOT = Path("/project")
+"""The folder that the documents lie in. It need not be there."""
 
 
 def analysis(text: str, **other_files: str) -> Analysis:
-    """The document `a.face` of a project that is nowhere on the disk; `studio="..."` is its open file `studio.face`."""
-    workspace = Workspace(FOLDER)
-    for name, content in {"a": text, **other_files}.items():
-        workspace.put_text_document(TextDocumentItem(f"{FOLDER}/{name}.face", "face", 1, content))
-    return Desk(workspace).analysis(f"{FOLDER}/a.face")
+    """The analysis of `main.face`; the others are open beside it, by their names without `.face`."""
+    workspace = Workspace(ROOT.as_uri())
+    for name, content in {"main": text, **other_files}.items():
+        item = types.TextDocumentItem((ROOT / f"{name}.face").as_uri(), "face", 1, content)
+        workspace.put_text_document(item)
+    return Desk(workspace).analysis((ROOT / "main.face").as_uri())

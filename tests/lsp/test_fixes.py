@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from analysing import FOLDER, analysis
+from analysing import ROOT, analysis
 from lsprotocol import types
 
 from facescript.diagnostics.model import Diagnostic, Edit, Fix, Severity
@@ -79,7 +79,7 @@ def test_edits_in_another_file_go_there_and_none_into_the_library() -> None:
     told(found, "never", Source("stdlib/facs.face", "nod\n"), 0, 3)
     (action,) = asked(found, line=0, only=QUICK)
     assert action.edit is not None and action.edit.changes is not None
-    assert list(action.edit.changes) == [f"{FOLDER}/studio.face"]
+    assert list(action.edit.changes) == [(ROOT / "studio.face").as_uri()]
 
 
 def test_a_document_without_faults_has_no_actions() -> None:
