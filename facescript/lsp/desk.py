@@ -91,6 +91,16 @@ class Desk:
         roots = dict.fromkeys((*self._folders(), *(self._root(path) for path in texts)))
         return [OpenWorld(root, texts) for root in roots]
 
+    def latest(self, uri: str) -> Analysis:
+        """The document as it stood when it was last looked at: what serves while an author types."""
+        made = self._made.get(uri)
+        return made[1] if made is not None else self.analysis(uri)
+
+    def source(self, uri: str) -> Source:
+        """The text of a document as it stands now."""
+        document = self._workspace.get_text_document(uri)
+        return Source(document.uri, _plain(document.source))
+
     def _state(self) -> object:
         return tuple((uri, document.version) for uri, document in self._workspace.text_documents.items())
 

@@ -12,10 +12,14 @@ from facescript.lsp.desk import Desk
 FEATURES = (
     "calls",
     "colours",
+    "completion",
     "definition",
     "diagnostics",
+    "fixes",
     "folding",
+    "formatting",
     "highlight",
+    "hover",
     "inlay_hints",
     "lenses",
     "links",
@@ -23,6 +27,7 @@ FEATURES = (
     "rename",
     "selection",
     "semantic_tokens",
+    "signature",
     "symbols",
     "workspace_symbols",
 )
