@@ -1,4 +1,4 @@
-"""The set-ups of the manual's page on editors: Neovim's is run with the real program, the others can be read."""
+"""The set-ups of the manual's page on editors: Neovim's and Emacs's run with the real programs."""
 
 from __future__ import annotations
 
@@ -31,6 +31,33 @@ table.insert(told, { wait(0), vim.api.nvim_buf_get_lines(0, 0, 1, true)[1] })
 print(vim.json and vim.json.encode(told) or vim.fn.json_encode(told))
 """
 """What a user of Neovim does: opens a script with a slip, looks at what is told, and mends it."""
+
+
+EGLOT = """
+(package-activate-all)
+(require 'eglot)
+(setq eglot-sync-connect 20)
+(load (expand-file-name "init.el") nil t)
+(find-file "a.face")
+(run-hooks 'post-command-hook)
+(with-timeout (20) (while (not (flymake-diagnostics)) (accept-process-output nil 0.05)))
+(dolist (found (flymake-diagnostics))
+  (princ (format "%S %d %d %s\\n" major-mode (flymake-diagnostic-beg found) (flymake-diagnostic-end found)
+                 (flymake-diagnostic-text found))))
+(end-of-line)
+(princ (if (nth 4 (syntax-ppss)) "comment" "text"))
+"""
+"""What a user of Emacs sees of a script with a slip."""
+
+
+def emacs(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(["emacs", "--batch", *arguments], capture_output=True, text=True, timeout=60)
+
+
+def no_eglot() -> bool:
+    return (
+        not shutil.which("emacs") or emacs("--eval", "(progn (package-activate-all) (require 'eglot))").returncode != 0
+    )
 
 
 def blocks(kind: str) -> list[str]:
@@ -77,14 +104,24 @@ def test_both_of_neovims_are_lua(here: Path) -> None:
         assert neovim("-u", "NONE", "-c", "lua assert(loadfile('block.lua')); print('read')") == "read"
 
 
+@pytest.mark.skipif(not shutil.which("emacs"), reason="needs Emacs: apt-get install emacs-nox elpa-eglot")
+def test_emacs_shows_a_slip(here: Path) -> None:
+    (here / "init.el").write_text(blocks("elisp")[0], "utf-8")
+    (here / "act.el").write_text(EGLOT, "utf-8")
+    (here / "a.face").write_text("show smlie 60%  # done\nnod\n", "utf-8")
+    done = emacs("-l", "act.el")
+    if "Cannot open load file" in done.stderr and "eglot" in done.stderr:
+        pytest.skip("this Emacs has no eglot: apt-get install elpa-eglot")
+    told = done.stdout.splitlines()
+    assert told[0].startswith("face-script-mode 6 11 facescript [FS201]: `smlie`") and told[1:] == ["comment"]
+
+
 def test_the_other_set_ups_can_be_read() -> None:
     read = [tomllib.loads(block) for block in blocks("toml")] + [json.loads(block) for block in blocks("json")]
     servers = [block["language-server"]["facescript"] for block in read if "language-server" in block]
     assert servers == [{"command": "facescript", "args": ["lsp"]}]
     clients = [block["clients"]["facescript"]["command"] for block in read if "clients" in block]
     assert clients == [["facescript", "lsp"]]
-    elisp = "".join(blocks("elisp"))
-    assert elisp.count("(") == elisp.count(")") and '("facescript" "lsp")' in elisp
 
 
 def test_sublime_is_given_the_grammar_as_it_reads_them(tmp_path: Path) -> None:
