@@ -51,7 +51,7 @@ async function pageOf(
   await mkdir(storage, { recursive: true });
   const page = join(storage, `${createHash("sha256").update(script).digest("hex").slice(0, 16)}.html`);
   const from = seconds > 0 ? ["--from", `${seconds}s`] : [];
-  const where = { location: vscode.ProgressLocation.Notification, title: `${basename(script)} is built`, cancellable: true };
+  const where = { location: vscode.ProgressLocation.Notification, title: `Building ${basename(script)}`, cancellable: true };
   const done = await vscode.window.withProgress(where, (_, token) =>
     run(["build", script, "-o", page, "--quiet", ...from], script, token, output),
   );
