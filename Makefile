@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: setup demo test lint bench motion speech sheets docs vscode clean
+.PHONY: setup demo test lint bench motion speech sheets docs clean
 
 setup: $(VENV)/.ready
 
@@ -48,6 +48,7 @@ docs: setup
 	$(BIN)/python docs/make_diagnostics.py
 	$(BIN)/python docs/make_pictures.py
 
+.PHONY: vscode
 # Wants node 20 or later; its packages come from the npm registry, in the versions of package-lock.json.
 vscode: setup
 	$(BIN)/python editors/make_textmate.py

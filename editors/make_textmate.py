@@ -18,7 +18,7 @@ from facescript.resolve.events import PERSONAL, TEXTUAL
 from facescript.resolve.kinds.words import ROWS
 from facescript.resolve.texts import ESCAPES
 from facescript.resolve.units import UNITS
-from facescript.resolve.words import DIRECT, EASES, FACE, FILM, GIVEN, MODIFIERS, VALUE, VERBS, WORDS, Modifier
+from facescript.resolve.words import DIRECT, DIRECTIONS, EASES, FACE, FILM, MODIFIERS, NOTHING, VALUE, VERBS, WORDS, Modifier
 from facescript.speech.voices.registry import ENGINES
 from facescript.syntax.table import table
 
@@ -55,7 +55,7 @@ QUOTING = ("event", "on", "repeat", "scene", "use", "viseme", "when", "backgroun
 """What begins a statement with texts that nobody says."""
 
 CHANNEL_HEADS = frozenset(channel.name.partition(".")[0] for channel in CHANNELS)
-CONSTANTS = frozenset((*GIVEN.split(), "none", "people"))
+CONSTANTS = WORDS & {*DIRECTIONS, NOTHING, "all", "away", "camera", "neutral", "people"}
 OTHERS = WORDS - KEYWORDS - DIRECT - CONSTANTS - CHANNEL_HEADS - set(VERBS)
 """Words of the language that stand within a statement: `until`, `forever`."""
 

@@ -230,11 +230,11 @@ _BLOCKS = (
     "at choose event film forever in on people person repeat resume restart stop times to together until use when with"
 )
 _DEFINERS = "action expression face film kind let life scene target use viseme"
-GIVEN = "all away camera down left neutral right up"
+_GIVEN = "all away camera down left neutral right up"
 _CHANNELS = "brow cheek chin ear eye forehead gaze head lid lip mouth muzzle nose pupil"
 
 WORDS: frozenset[str] = frozenset(
-    {*VERBS, *DIRECT, NOTHING, *_BLOCKS.split(), *_DEFINERS.split(), *GIVEN.split(), *_CHANNELS.split()}
+    {*VERBS, *DIRECT, NOTHING, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}
 )
 """The language's own words: no definition, parameter or label may bear them."""
 
