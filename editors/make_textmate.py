@@ -18,7 +18,19 @@ from facescript.resolve.events import PERSONAL, TEXTUAL
 from facescript.resolve.kinds.words import ROWS
 from facescript.resolve.texts import ESCAPES
 from facescript.resolve.units import UNITS
-from facescript.resolve.words import DIRECT, DIRECTIONS, EASES, FACE, FILM, MODIFIERS, NOTHING, VALUE, VERBS, WORDS, Modifier
+from facescript.resolve.words import (
+    DIRECT,
+    DIRECTIONS,
+    EASES,
+    FACE,
+    FILM,
+    MODIFIERS,
+    NOTHING,
+    VALUE,
+    VERBS,
+    WORDS,
+    Modifier,
+)
 from facescript.speech.voices.registry import ENGINES
 from facescript.syntax.table import table
 
