@@ -47,6 +47,12 @@ def _told(item: Diagnostic, analysis: Analysis) -> types.Diagnostic:
     )
 
 
+def pulls(server: FaceServer) -> bool:
+    """Whether the editor asks for diagnostics by itself."""
+    document = server.client_capabilities.text_document
+    return document is not None and document.diagnostic is not None
+
+
 def register(server: FaceServer) -> None:
     waiting: dict[str, asyncio.TimerHandle] = {}
 
@@ -59,7 +65,9 @@ def register(server: FaceServer) -> None:
             )
 
     def later(pause: float) -> None:
-        """An edit may change what is said of every open document that uses it."""
+        """An edit may change what is said of every open document that uses it. Who asks is not told twice."""
+        if pulls(server):
+            return
         for uri in server.workspace.text_documents:
             if uri in waiting:
                 waiting.pop(uri).cancel()
@@ -76,7 +84,8 @@ def register(server: FaceServer) -> None:
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
     def closed(_: FaceServer, params: types.DidCloseTextDocumentParams) -> None:
         uri = params.text_document.uri
-        server.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
+        if not pulls(server):
+            server.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
         later(0.0)
 
     @server.feature(
