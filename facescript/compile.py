@@ -41,10 +41,16 @@ class Compiled:
 
 def compile_source(source: Source, world: World, voice: VoiceBox, settings: Settings | None = None) -> Compiled:
     """The script as far as the score; `score` is None where an error stands in the way, `diagnostics` says which."""
-    settings = settings or Settings()
     diagnostics = Diagnostics()
-    script = _with_events(parse(source, diagnostics), settings.events, diagnostics)
-    compiled = Compiled(source, diagnostics, script)
+    return compile_script(parse(source, diagnostics), world, voice, diagnostics, settings or Settings())
+
+
+def compile_script(
+    script: Script, world: World, voice: VoiceBox, diagnostics: Diagnostics, settings: Settings
+) -> Compiled:
+    """As `compile_source`, of a script that is parsed; `diagnostics` hold what was wrong with its text."""
+    script = _with_events(script, settings.events, diagnostics)
+    compiled = Compiled(script.source, diagnostics, script)
     play = resolve(script, world, diagnostics, settings.overrides)
     if play is None or diagnostics.failed:
         return compiled
