@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.play import Film, Play
@@ -28,41 +29,55 @@ class Settings:
     events: Source | None = None
 
 
-@dataclass(slots=True)
 class Compiled:
-    """How far a script came, and everything there is to say about it."""
+    """How far a script came, and everything there is to say about it.
 
-    source: Source
-    diagnostics: Diagnostics
-    script: Script
-    play: Play | None = None
-    score: Score | None = None
+    The tree is there at once. `play`, `score` and `diagnostics` are worked out when they are first asked for: an editor
+    asks for the tree at every key, and for times only between them. `score` is None where an error stands in the way.
+    """
+
+    def __init__(
+        self, script: Script, world: World, voice: VoiceBox, diagnostics: Diagnostics, settings: Settings
+    ) -> None:
+        """`diagnostics` hold what is wrong with the text of the script."""
+        self.script = script
+        self._world, self._voice, self._told, self._settings = world, voice, diagnostics, settings
+
+    @property
+    def source(self) -> Source:
+        return self.script.source
+
+    @cached_property
+    def play(self) -> Play | None:
+        play = resolve(self.script, self._world, self._told, self._settings.overrides)
+        if play is None or self._told.failed:
+            return None
+        return replace(play, film=_film(play.film, self._settings.film))
+
+    @cached_property
+    def score(self) -> Score | None:
+        score = schedule(self.play, self._voice, self._told) if self.play is not None else None
+        if score is not None:
+            reach(score, self._told)
+            haste(score, self._told)
+        return None if self._told.failed else score
+
+    @property
+    def diagnostics(self) -> Diagnostics:
+        return self.finished()._told
+
+    def finished(self) -> Compiled:
+        """Itself, with all worked out."""
+        _ = self.score
+        return self
 
 
 def compile_source(source: Source, world: World, voice: VoiceBox, settings: Settings | None = None) -> Compiled:
     """The script as far as the score; `score` is None where an error stands in the way, `diagnostics` says which."""
+    settings = settings or Settings()
     diagnostics = Diagnostics()
-    return compile_script(parse(source, diagnostics), world, voice, diagnostics, settings or Settings())
-
-
-def compile_script(
-    script: Script, world: World, voice: VoiceBox, diagnostics: Diagnostics, settings: Settings
-) -> Compiled:
-    """As `compile_source`, of a script that is parsed; `diagnostics` hold what was wrong with its text."""
-    script = _with_events(script, settings.events, diagnostics)
-    compiled = Compiled(script.source, diagnostics, script)
-    play = resolve(script, world, diagnostics, settings.overrides)
-    if play is None or diagnostics.failed:
-        return compiled
-    compiled.play = replace(play, film=_film(play.film, settings.film))
-    score = schedule(compiled.play, voice, diagnostics)
-    if score is None:
-        return compiled
-    reach(score, diagnostics)
-    haste(score, diagnostics)
-    if not diagnostics.failed:
-        compiled.score = score
-    return compiled
+    script = _with_events(parse(source, diagnostics), settings.events, diagnostics)
+    return Compiled(script, world, voice, diagnostics, settings).finished()
 
 
 def _with_events(script: Script, events: Source | None, diagnostics: Diagnostics) -> Script:

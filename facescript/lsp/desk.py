@@ -85,7 +85,8 @@ class Desk:
         self._made[uri] = state, found
         while len(self._made) > KEPT:
             oldest = next(iter(self._made))
-            del self._made[oldest], self._compilers[oldest]
+            del self._made[oldest]
+            self._compilers.pop(oldest, None)
         return found
 
     def _state(self) -> object:
