@@ -106,16 +106,17 @@ class Pieces:
         return kept, at
 
     def _rest(self, text: str, at: int, known: int) -> tuple[list[Part], int]:
-        """The parts behind the last change, the last one first, and where they begin; they keep behind `at`."""
+        """The parts behind the last change, the last one first, and where they would begin; none begins before `at`.
+
+        They stay if a part ends just there; what is read up to their beginning may as well go on into them.
+        """
         kept: list[Part] = []
         begin = len(text)
         for part in reversed(self._parts[known:]):
-            if not text.endswith(part.text, at, begin) or not HEAD.match(part.text):
+            if not text.endswith(part.text, at, begin):
                 break
             kept.append(part)
             begin -= len(part.text)
-        if kept and not HEAD.match(text, begin):
-            begin += len(kept.pop().text)
         return kept, begin
 
     # -------------------------------------------------------------------------------------------- what is new
