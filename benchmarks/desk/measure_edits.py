@@ -44,7 +44,7 @@ def flat(count: int) -> str:
 
 
 class Author:
-    """Types words at places here and there and takes them away again; `text` is what stands in the editor."""
+    """Types a statement at places here and there and takes it away again; `text` is what stands in the editor."""
 
     def __init__(self, text: str, seed: int = 1) -> None:
         self.text = text
@@ -113,8 +113,3 @@ def _resident() -> float:
     gc.collect()
     pages = int(Path("/proc/self/statm").read_text().split()[1])
     return pages * resource.getpagesize() / 2**20
-
-
-if __name__ == "__main__":
-    for row in rows():
-        print(row)
