@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -37,19 +37,21 @@ class Compiled:
     """
 
     def __init__(
-        self, script: Script, world: World, voice: VoiceBox, diagnostics: Diagnostics, settings: Settings
+        self,
+        source: Source,
+        script: Script,
+        diagnostics: Diagnostics,
+        resolved: Callable[[], Play | None],
+        voice: VoiceBox,
+        settings: Settings,
     ) -> None:
-        """`diagnostics` hold what is wrong with the text of the script."""
-        self.script = script
-        self._world, self._voice, self._told, self._settings = world, voice, diagnostics, settings
-
-    @property
-    def source(self) -> Source:
-        return self.script.source
+        """`diagnostics` hold what is wrong with the text; `resolved` gives the play and adds what is wrong with it."""
+        self.source, self.script = source, script
+        self._told, self._resolved, self._voice, self._settings = diagnostics, resolved, voice, settings
 
     @cached_property
     def play(self) -> Play | None:
-        play = resolve(self.script, self._world, self._told, self._settings.overrides)
+        play = self._resolved()
         if play is None or self._told.failed:
             return None
         return replace(play, film=_film(play.film, self._settings.film))
@@ -76,11 +78,21 @@ def compile_source(source: Source, world: World, voice: VoiceBox, settings: Sett
     """The script as far as the score; `score` is None where an error stands in the way, `diagnostics` says which."""
     settings = settings or Settings()
     diagnostics = Diagnostics()
-    script = _with_events(parse(source, diagnostics), settings.events, diagnostics)
-    return Compiled(script, world, voice, diagnostics, settings).finished()
+    script = with_events(parse(source, diagnostics), settings.events, diagnostics)
+    return of_script(script, world, voice, diagnostics, settings).finished()
 
 
-def _with_events(script: Script, events: Source | None, diagnostics: Diagnostics) -> Script:
+def of_script(script: Script, world: World, voice: VoiceBox, diagnostics: Diagnostics, settings: Settings) -> Compiled:
+    """A parsed script; `diagnostics` hold what is wrong with its text."""
+
+    def resolved() -> Play | None:
+        return resolve(script, world, diagnostics, settings.overrides)
+
+    return Compiled(script.source, script, diagnostics, resolved, voice, settings)
+
+
+def with_events(script: Script, events: Source | None, diagnostics: Diagnostics) -> Script:
+    """A script with the `event` lines of a further file."""
     if events is None:
         return script
     return Script(script.source, script.items + parse(events, diagnostics).items)

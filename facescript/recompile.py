@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from facescript.compile import Compiled, Settings
+from facescript.compile import Compiled, Settings, of_script
 from facescript.diagnostics.model import Diagnostics
 from facescript.speech.model import VoiceBox
 from facescript.syntax.pieces import Pieces
@@ -22,4 +22,4 @@ class Recompiler:
     def compile(self, source: Source, world: World, voice: VoiceBox) -> Compiled:
         """The same as `compile_source`: tree, diagnostics, play and score; all but the tree when it is asked for."""
         diagnostics = Diagnostics()
-        return Compiled(self._pieces.parse(source, diagnostics), world, voice, diagnostics, Settings())
+        return of_script(self._pieces.parse(source, diagnostics), world, voice, diagnostics, Settings())

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from pygls.uris import from_fs_path, to_fs_path
-from pygls.workspace import Workspace
+from pygls.workspace import TextDocument, Workspace
 
 from facescript.compile import Compiled
 from facescript.recompile import Recompiler
@@ -89,11 +89,27 @@ class Desk:
             self._compilers.pop(oldest, None)
         return found
 
+    def worlds(self) -> list[OpenWorld]:
+        """The projects at hand: the folders of the workspace, and those of open documents that lie in none of them."""
+        texts = self._texts()
+        roots = dict.fromkeys((*self._folders(), *(self._root(path) for path in texts)))
+        return [OpenWorld(root, texts) for root in roots]
+
+    def latest(self, uri: str) -> Analysis:
+        """The document as it stood when it was last looked at: what serves while an author types."""
+        made = self._made.get(uri)
+        return made[1] if made is not None else self.analysis(uri)
+
+    def source(self, uri: str) -> Source:
+        """The text of a document as it stands now."""
+        document = self._workspace.get_text_document(uri)
+        return Source(document.uri, _plain(document.source))
+
     def _state(self) -> object:
         return tuple((uri, document.version) for uri, document in self._workspace.text_documents.items())
 
     def _analysed(self, uri: str) -> Analysis:
-        document = self._workspace.get_text_document(uri)
+        document = _readable(self._workspace.get_text_document(uri))
         path = Path(to_fs_path(uri) or "untitled.face")
         world = OpenWorld(self._root(path), self._texts())
         source = Source(_name(world, path), _plain(document.source))
@@ -122,6 +138,15 @@ def _name(world: World, path: Path) -> str:
         return path.resolve().relative_to(world.root.resolve()).as_posix()
     except ValueError:
         return path.name
+
+
+def _readable(document: TextDocument) -> TextDocument:
+    """A document that is not open and whose file cannot be read is empty."""
+    try:
+        document.source  # noqa: B018 (it reads the file)
+    except (OSError, ValueError):
+        return TextDocument(document.uri, "", document.version)
+    return document
 
 
 def _plain(text: str) -> str:

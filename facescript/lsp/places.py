@@ -7,11 +7,16 @@ from lsprotocol.types import Position, Range
 from facescript.text import Source, Span
 
 
+def units(text: str) -> int:
+    """The length of a text in UTF-16 units."""
+    return len(text) if text.isascii() else len(text.encode("utf-16-le", "surrogatepass")) // 2
+
+
 def position(source: Source, offset: int) -> Position:
     """Line and column (both from 0, columns in UTF-16 units) of an offset in characters."""
     line, column = source.position(offset)
     before = source.text[offset - column + 1 : offset]
-    return Position(line - 1, len(before) if before.isascii() else len(before.encode("utf-16-le")) // 2)
+    return Position(line - 1, units(before))
 
 
 def range_of(span: Span) -> Range:

@@ -9,7 +9,28 @@ from pygls.lsp.server import LanguageServer
 from facescript import __version__
 from facescript.lsp.desk import Desk
 
-FEATURES = ("diagnostics",)
+FEATURES = (
+    "calls",
+    "colours",
+    "completion",
+    "definition",
+    "diagnostics",
+    "fixes",
+    "folding",
+    "formatting",
+    "highlight",
+    "hover",
+    "inlay_hints",
+    "lenses",
+    "links",
+    "references",
+    "rename",
+    "selection",
+    "semantic_tokens",
+    "signature",
+    "symbols",
+    "workspace_symbols",
+)
 """The files of `features/`."""
 
 
