@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: setup demo test lint bench motion speech sheets docs clean
+.PHONY: setup demo test lint bench desk motion speech sheets docs clean
 
 setup: $(VENV)/.ready
 
@@ -33,6 +33,9 @@ lint: setup
 
 bench: setup
 	@for script in benchmarks/[a-z]*.py; do $(BIN)/python $$script; done
+
+desk: setup
+	$(BIN)/python benchmarks/desk
 
 motion: setup
 	$(BIN)/python benchmarks/motion

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from facescript.compile import Compiled, Settings, solve, with_events
+from facescript.compile import Compiled, Settings, with_events
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostic, Diagnostics, Severity
 from facescript.ir.json_form import NotAPlay, load
@@ -40,13 +40,12 @@ class Scripted:
 
 def compile_play(source: Source, world: World, voice: VoiceBox, settings: Settings) -> Compiled:
     """A play as far as its score, as `compile_source` does it for a script."""
-    compiled = Compiled(source, Diagnostics(), Script(source, ()))
-    found = script_of(source, world, source.name, compiled.diagnostics, settings)
+    diagnostics = Diagnostics()
+    found = script_of(source, world, source.name, diagnostics, settings)
     if found is None:
-        return compiled
-    compiled.script = found.script
+        return Compiled(source, Script(source, ()), diagnostics, lambda: None, voice, settings)
     play = replace(found.play, events=found.resolved.events) if settings.events else found.play
-    return solve(compiled, play, voice, settings)
+    return Compiled(source, found.script, diagnostics, lambda: play, voice, settings).finished()
 
 
 def script_of(

@@ -13,7 +13,8 @@ from pathlib import Path
 from pygls.uris import from_fs_path, to_fs_path
 from pygls.workspace import TextDocument, Workspace
 
-from facescript.compile import Compiled, compile_source
+from facescript.compile import Compiled
+from facescript.recompile import Recompiler
 from facescript.speech.voices.known import KnownTimes
 from facescript.text import Source
 from facescript.world import LARGEST_SCRIPT, World, WorldFailure, decode
@@ -71,6 +72,7 @@ class Desk:
     def __init__(self, workspace: Workspace) -> None:
         self._workspace = workspace
         self._made: dict[str, tuple[object, Analysis]] = {}
+        self._compilers: dict[str, Recompiler] = {}
 
     def analysis(self, uri: str) -> Analysis:
         """The document as it stands now."""
@@ -82,7 +84,9 @@ class Desk:
         self._made.pop(uri, None)
         self._made[uri] = state, found
         while len(self._made) > KEPT:
-            del self._made[next(iter(self._made))]
+            oldest = next(iter(self._made))
+            del self._made[oldest]
+            self._compilers.pop(oldest, None)
         return found
 
     def worlds(self) -> list[OpenWorld]:
@@ -109,7 +113,8 @@ class Desk:
         path = Path(to_fs_path(uri) or "untitled.face")
         world = OpenWorld(self._root(path), self._texts())
         source = Source(_name(world, path), _plain(document.source))
-        return Analysis(uri, document.version, world, compile_source(source, world, KnownTimes(world)))
+        compiler = self._compilers.setdefault(uri, Recompiler())
+        return Analysis(uri, document.version, world, compiler.compile(source, world, KnownTimes(world)))
 
     def _root(self, path: Path) -> Path:
         roots = [folder for folder in self._folders() if path.is_relative_to(folder)]
