@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: setup demo test lint bench motion speech sheets docs clean
+.PHONY: setup demo test lint bench desk motion speech sheets docs clean
 
 setup: $(VENV)/.ready
 
@@ -34,6 +34,9 @@ lint: setup
 bench: setup
 	@for script in benchmarks/[a-z]*.py; do $(BIN)/python $$script; done
 
+desk: setup
+	$(BIN)/python benchmarks/desk
+
 motion: setup
 	$(BIN)/python benchmarks/motion
 
@@ -48,5 +51,13 @@ docs: setup
 	$(BIN)/python docs/make_diagnostics.py
 	$(BIN)/python docs/make_pictures.py
 
+.PHONY: vscode
+# Wants node 20 or later; its packages come from the npm registry, in the versions of package-lock.json.
+vscode: setup
+	$(BIN)/python editors/make_textmate.py
+	mkdir -p build
+	cp LICENSE editors/vscode/LICENSE
+	cd editors/vscode && npm ci && npx --no-install vsce package --no-dependencies --allow-missing-repository --out ../../build/facescript.vsix
+
 clean:
-	rm -rf $(VENV) build dist
+	rm -rf $(VENV) build dist editors/vscode/dist editors/vscode/node_modules

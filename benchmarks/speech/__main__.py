@@ -6,22 +6,12 @@ A file `measure_NAME.py` beside this one has a function `rows() -> Iterator[Row]
 from __future__ import annotations
 
 import sys
-from importlib import import_module
 from pathlib import Path
 
+HERE = Path(__file__).parent
+sys.path.append(str(HERE.parent))
 
-def main(names: list[str]) -> int:
-    """Print the rows as they are found; 1 where a bar is not met."""
-    here = Path(__file__).parent
-    known = sorted(path.stem.removeprefix("measure_") for path in here.glob("measure_*.py"))
-    met = True
-    print("| what | bar | found | |\n|---|---|---|---|", flush=True)
-    for name in names or known:
-        for row in import_module(f"measure_{name}").rows():
-            print(row, flush=True)
-            met = met and row.met is not False
-    return 0 if met else 1
-
+from _rows import printed  # noqa: E402
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(printed(HERE, sys.argv[1:]))

@@ -9,10 +9,10 @@ from pathlib import Path
 from facescript.backends.output import outputs
 from facescript.cli.arguments import SPHINX, VOICE
 from facescript.cli.outputs import no_kind, put, suffix_of
-from facescript.cli.project import open_script
 from facescript.cli.report import OptionFault, refuse
 from facescript.cli.settings import seconds
 from facescript.ir.acts import Say, Voice
+from facescript.project import open_script
 from facescript.speech.align.activity import Stretch
 from facescript.speech.align.aligned import aligned
 from facescript.speech.align.alignment import Alignment

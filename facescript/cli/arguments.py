@@ -6,13 +6,15 @@ import argparse
 from collections.abc import Callable
 from dataclasses import dataclass
 
-LATER = ("preview", "live", "lsp")
+LATER = ("preview", "live")
 """Commands of the language's design that this version refuses by name."""
 
 SPHINX, VOICE = "pocketsphinx", "voice"
 """The ways to align."""
 
 LISTS = ("faces", "looks", "expressions", "actions", "muscles", "channels", "voices", "backends", "lives", "words")
+TEXTS = ("summary", "schema")
+"""What `list` prints as one text."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +27,7 @@ class Command:
 
 
 def _script(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("script", metavar="SCRIPT", help="a .face file, or - for standard input")
+    parser.add_argument("script", metavar="SCRIPT", help="a .face file, a play in .json, or - for standard input")
 
 
 def _settings(parser: argparse.ArgumentParser) -> None:
@@ -76,8 +78,11 @@ def _sheet(parser: argparse.ArgumentParser) -> None:
 
 
 def _check(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("scripts", nargs="+", metavar="SCRIPT", help=".face files, or - for standard input")
+    parser.add_argument(
+        "scripts", nargs="+", metavar="SCRIPT", help=".face files, plays in .json, or - for standard input"
+    )
     parser.add_argument("--json", action="store_true", help="a list of objects instead of text")
+    parser.add_argument("--fix", action="store_true", help="make all fixes that are sure, then say what is left")
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="give a `let` another value")
 
 
@@ -93,10 +98,11 @@ def _explain(parser: argparse.ArgumentParser) -> None:
 def _fmt(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scripts", nargs="+", metavar="SCRIPT", help=".face files, or - for standard input")
     parser.add_argument("--check", action="store_true", help="change nothing; exit 1 where a file is not in the layout")
+    parser.add_argument("-o", "--output", metavar="SCRIPT", help="write there; a play in .json becomes a script so")
 
 
 def _list(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("what", choices=LISTS, metavar="WHAT", help=f"one of {', '.join(LISTS)}")
+    parser.add_argument("what", choices=(*LISTS, *TEXTS), metavar="WHAT", help=f"one of {', '.join((*LISTS, *TEXTS))}")
 
 
 def _new(parser: argparse.ArgumentParser) -> None:
@@ -115,12 +121,19 @@ def _align(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--as", dest="kind", metavar="KIND", help="the kind where the output is - (json, csv, ...)")
 
 
+def _lsp(parser: argparse.ArgumentParser) -> None:
+    ways = parser.add_mutually_exclusive_group()
+    ways.add_argument("--tcp", type=int, metavar="PORT", help="listen on a port of this machine")
+    ways.add_argument("--ws", type=int, metavar="PORT", help="the same over WebSocket")
+
+
 COMMANDS = {
     "align": Command("align", "find when the words of a text are said in a recording", _align),
     "build": Command("build", "make films, pictures, tables and sound from a script", _build),
     "check": Command("check", "say what is wrong with scripts", _check),
     "explain": Command("explain", "show the solved times: when each act starts, settles and ends", _explain),
     "fmt": Command("fmt", "put scripts into the one layout", _fmt),
+    "lsp": Command("lsp", "serve editors: faults as they are made, times as they are solved", _lsp),
     "list": Command("list", "list what there is: faces, expressions, voices, ...", _list),
     "new": Command("new", "write a starter script", _new),
     "plot": Command("plot", "draw what is done when, over the curves of what moves", _plot),

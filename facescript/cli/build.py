@@ -16,11 +16,11 @@ from facescript.cli.losses import losses
 from facescript.cli.outputs import no_kind, put, suffix_of, targets
 from facescript.cli.pages import page_wish
 from facescript.cli.progress import Progress
-from facescript.cli.project import STANDARD
 from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.script import compile_named
 from facescript.cli.settings import count, seconds, stretch
 from facescript.compile import Compiled
+from facescript.project import STANDARD
 from facescript.world import World, WorldFailure
 
 PAGE_OPTIONS = ("page", "split")

@@ -1,17 +1,19 @@
-"""`facescript list`: what there is, a line each, as names and what they mean."""
+"""`facescript list`: what there is, a line each, as names and what they mean; and the texts made for programs."""
 
 from __future__ import annotations
 
 import argparse
+import json
 from collections.abc import Callable, Iterable
-from itertools import takewhile
 from pathlib import Path
 
 from facescript.backends.registry import backends
 from facescript.diagnostics.model import Diagnostics
 from facescript.performance.channels import CHANNELS, MUSCLES
 from facescript.resolve.kinds.library import kind_names, kinds_with, library_head
+from facescript.resolve.meanings import FACES, MUSCLES_DO, comment_of, first_sentence
 from facescript.resolve.words import UNSEEN, VERBS, WORDS
+from facescript.resources import folder
 from facescript.speech.model import VoiceFailure
 from facescript.speech.voices.registry import engines
 from facescript.syntax.parser import parse
@@ -20,35 +22,12 @@ from facescript.world import World
 
 Row = tuple[str, str]
 
-FACES = {
-    "woman": "a cartoon woman",
-    "man": "a cartoon man",
-    "dog": "a dog with ears that hang",
-    "rodent": "a squirrel",
-    "gorilla": "a gorilla",
-    "unseen": "nobody to see: a voice alone",
-}
-
-MUSCLES_DO = {
-    "brow.inner": "raises the brow's inner end",
-    "brow.outer": "raises the brow's outer end",
-    "forehead": "raises the whole brow and creases the forehead",
-    "brow.lower": "lowers the brow and draws it together",
-    "cheek.upper": "raises the cheek",
-    "cheek.lower": "draws the lip's corner up and out",
-    "nose.upper": "wrinkles the nose",
-    "lip.upper": "raises the upper lip",
-    "lip.corner": "draws the lip's corner down",
-    "lip.lower": "draws the lower lip down",
-    "lip.stretch": "draws the lip's corner straight out",
-    "lip.press": "presses the lips together",
-    "lip.pucker": "pushes the lips forward and draws them together",
-    "chin": "pushes the chin's boss up",
-}
-
 
 def run(options: argparse.Namespace) -> int:
-    """Two columns on standard output, in the order of the thing listed."""
+    """Two columns on standard output, in the order of the thing listed; a text as it is."""
+    if options.what in TEXTS:
+        print(TEXTS[options.what](), end="")
+        return 0
     rows = list(LISTS[options.what]())
     width = max((len(name) for name, _ in rows), default=0)
     for name, meaning in rows:
@@ -74,14 +53,7 @@ def _actions() -> Iterable[Row]:
     for item in _library():
         if isinstance(item, ActionDefinition):
             parameters = "".join(f", {parameter.span.text}" for parameter in item.parameters)
-            yield f"{item.name.text}{parameters.replace(',', '', 1)}", _above(item)
-
-
-def _above(item: ActionDefinition) -> str:
-    """What the comment above a definition of the library says first."""
-    lines = item.span.source.text[: item.span.start].rstrip().split("\n")
-    comment = list(takewhile(lambda line: line.startswith("# "), reversed(lines)))
-    return " ".join(line[2:] for line in reversed(comment)).partition(". ")[0].rstrip(".")
+            yield f"{item.name.text}{parameters.replace(',', '', 1)}", first_sentence(comment_of(item.span))
 
 
 def _lives() -> Iterable[Row]:
@@ -150,3 +122,16 @@ LISTS: dict[str, Callable[[], Iterable[Row]]] = {
     "lives": _lives,
     "words": _words,
 }
+
+
+def _summary() -> str:
+    return (folder("docs") / "summary.md").read_text("utf-8")
+
+
+def _schema() -> str:
+    from facescript.ir.json_form import schema  # pydantic: only the schema pays it
+
+    return json.dumps(schema(), ensure_ascii=False, indent=2) + "\n"
+
+
+TEXTS: dict[str, Callable[[], str]] = {"summary": _summary, "schema": _schema}

@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from facescript.backends.output import Outputs
-from facescript.cli.project import STANDARD
 from facescript.cli.report import OptionFault
+from facescript.project import STANDARD
 
 
 def targets(options: argparse.Namespace, suffix: str) -> list[str]:

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from facescript.backends.job import Job
 from facescript.cli.drawings import wanted, write
-from facescript.cli.project import STANDARD
 from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.script import compile_named
 from facescript.cli.settings import size, stretch
@@ -15,6 +14,7 @@ from facescript.plot.channels import PlotFault
 from facescript.plot.picture import Asked, draw
 from facescript.plot.png import write_png
 from facescript.plot.svg import write_svg
+from facescript.project import STANDARD
 from facescript.world import WorldFailure
 
 WRITERS = {".svg": write_svg, ".png": write_png}

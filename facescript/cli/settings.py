@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 import re
 
-from facescript.cli.project import open_script
 from facescript.cli.report import OptionFault
 from facescript.compile import Settings
+from facescript.project import open_script
 from facescript.text import Source
 from facescript.world import WorldFailure
 

@@ -6,11 +6,11 @@ import argparse
 from pathlib import Path
 
 from facescript.cli.drawings import wanted, write
-from facescript.cli.project import STANDARD, open_script
 from facescript.cli.report import FAULTS, OptionFault, refuse, show
 from facescript.cli.settings import count
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.play import Face
+from facescript.project import STANDARD, open_script
 from facescript.resolve.expressions import Expression, expressions
 from facescript.resolve.faces import ONLY
 from facescript.resolve.kinds.library import kind_names

@@ -6,7 +6,7 @@ import re
 from typing import Any
 
 from facescript.diagnostics.columns import columns
-from facescript.diagnostics.model import Diagnostic, Edit, Severity
+from facescript.diagnostics.model import Diagnostic, Edit, Fix, Severity
 from facescript.text import Span
 
 WIDEST = 100
@@ -42,11 +42,11 @@ def render(diagnostic: Diagnostic, colour: bool) -> str:
 def as_json(diagnostic: Diagnostic) -> dict[str, Any]:
     """The record that `--json` prints. Lines and columns count from 1, the end is behind the last sign.
 
-    A diagnostic without a place has None for its file, lines and columns. `edits` of a fix are in the order to apply
-    them from the last to the first; a fix without edits is advice.
+    A diagnostic without a place has None for its file, lines and columns. `edits` of a fix go from the last place to
+    the first, so that each leaves the places of those after it as they are; a fix without edits is advice.
     """
     place = _place(diagnostic.span) if diagnostic.span else dict.fromkeys(("file", *_BORDERS))
-    fixes = [{"title": fix.title, "edits": [_edit(edit) for edit in fix.edits]} for fix in diagnostic.fixes]
+    fixes = [{"title": fix.title, "edits": [_edit(edit) for edit in _backwards(fix)]} for fix in diagnostic.fixes]
     return {
         "code": diagnostic.code,
         "severity": str(diagnostic.severity),
@@ -62,6 +62,10 @@ _BORDERS = ("line", "column", "end_line", "end_column")
 def _place(span: Span) -> dict[str, Any]:
     borders = (*span.source.position(span.start), *span.source.position(span.end))
     return {"file": span.source.name, **dict(zip(_BORDERS, borders, strict=True))}
+
+
+def _backwards(fix: Fix) -> list[Edit]:
+    return sorted(fix.edits, key=lambda edit: (edit.span.source.name, edit.span.start, edit.span.end), reverse=True)
 
 
 def _edit(edit: Edit) -> dict[str, Any]:

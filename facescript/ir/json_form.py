@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import json
 from functools import cache
-from itertools import accumulate
 from types import NoneType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
@@ -14,6 +13,7 @@ from pydantic.json_schema import GenerateJsonSchema
 from pydantic_core import CoreSchema, SchemaValidator, core_schema
 
 from facescript.ir import acts, kind, play, values
+from facescript.ir.json_places import MARK, Find, Places, Unfit, lacking, mark, place_of, places_itself
 from facescript.ir.play import Play
 from facescript.text import Source, Span
 
@@ -21,8 +21,16 @@ VERSION = 1
 """Of the form; it changes where an older reader would misread."""
 
 
+ADDED = ("times", "schema")
+"""What a build adds to a play for its readers."""
+
+
 class NotAPlay(ValueError):
-    """JSON that is no play; `args[0]` says where and why."""
+    """JSON that is no play; `args[0]` says where and why, `span` is the place in the JSON as far as it can be told."""
+
+    def __init__(self, reason: str, span: Span) -> None:
+        super().__init__(reason)
+        self.span = span
 
 
 @dataclasses.dataclass(frozen=True)
@@ -41,18 +49,31 @@ def dump(play: Play) -> str:
     return json.dumps({"version": VERSION, "play": _plain(play)}, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def load(text: str) -> Play:
-    """The play of a JSON text. Its spans have the same lines and columns, in sources that hold nothing but blanks.
+def nowhere(name: str) -> Source | None:
+    """No file is known."""
+    return None
 
+
+def load(text: str, name: str = "play.json", find: Find = nowhere) -> Play:
+    """The play of a JSON text; what a build adds to it (`times`, `schema`) is passed over.
+
+    Its spans have the lines and columns of the JSON, in the sources that `find` has by their names, else in sources
+    that hold nothing but blanks. What has no place of its own is where it stands in the JSON, the file `name`.
     Raises `NotAPlay`.
     """
+    whole = Source(name, text)
     try:
         form = _validator().validate_json(text)
     except ValidationError as fault:
-        first = fault.errors()[0]
+        first = fault.errors(include_url=False)[0]
         where = ".".join(str(part) for part in first["loc"])
-        raise NotAPlay(f"{where}: {first['msg']}") from None
-    found = _original(form["play"], _blank_sources(form["play"]))
+        raise NotAPlay(f"{where}: {first['msg']}", place_of(whole, first["loc"])) from None
+    try:
+        if lacking(form["play"], _CLASSES):
+            mark(form["play"], whole)
+        found = _original(form["play"], Places(form["play"], whole, find))
+    except Unfit as fault:
+        raise NotAPlay(fault.args[0], Span(whole, 0, 0)) from None
     assert isinstance(found, Play)
     return found
 
@@ -86,46 +107,18 @@ def _place(span: Span) -> Place:
 # ------------------------------------------------------------------------------------------------ from JSON
 
 
-Blanks = dict[str, tuple[Source, list[int]]]
-"""By file: a source of blanks, and where its lines start."""
-
-
-def _original(value: Any, sources: Blanks) -> Any:
+def _original(value: Any, places: Places) -> Any:
     if isinstance(value, list | tuple):
-        return tuple(_original(item, sources) for item in value)
+        return tuple(_original(item, places) for item in value)
     if not isinstance(value, dict):
         return value
     if "file" in value:
-        source, starts = sources[value["file"]]
-        start = starts[value["line"] - 1] + value["column"] - 1
-        return Span(source, start, starts[value["end_line"] - 1] + value["end_column"] - 1)
-    fields = {name: _original(item, sources) for name, item in value.items() if name != "type"}
-    return _CLASSES[value["type"]](**fields)
-
-
-def _blank_sources(form: Any) -> Blanks:
-    """For each file a source of blank lines long enough for every span in it."""
-    widths: dict[str, list[int]] = {}
-    _measure(form, widths)
-    blanks = {}
-    for name, lines in widths.items():
-        starts = [0, *accumulate(width + 1 for width in lines)]
-        blanks[name] = (Source(name, "\n".join(" " * width for width in lines)), starts)
-    return blanks
-
-
-def _measure(value: Any, widths: dict[str, list[int]]) -> None:
-    if isinstance(value, list | tuple):
-        for item in value:
-            _measure(item, widths)
-    elif isinstance(value, dict) and "file" in value:
-        lines = widths.setdefault(value["file"], [])
-        for line, column in ((value["line"], value["column"]), (value["end_line"], value["end_column"])):
-            lines.extend([0] * (line - len(lines)))
-            lines[line - 1] = max(lines[line - 1], column - 1)
-    elif isinstance(value, dict):
-        for item in value.values():
-            _measure(item, widths)
+        return places.span(value)
+    found = _CLASSES[value["type"]]
+    fields = {name: _original(item, places) for name, item in value.items() if name not in ("type", MARK)}
+    if MARK in value and "span" not in value and places_itself(found):
+        fields["span"] = places.here(value)
+    return found(**fields)
 
 
 # ------------------------------------------------------------------------------------------------ the schema
@@ -159,6 +152,7 @@ def _form() -> CoreSchema:
         {
             "version": core_schema.typed_dict_field(core_schema.literal_schema([VERSION])),
             "play": core_schema.typed_dict_field(_reference(Play)),
+            **dict.fromkeys(ADDED, core_schema.typed_dict_field(core_schema.any_schema(), required=False)),
         },
         extra_behavior="forbid",
     )
@@ -171,11 +165,12 @@ def _reference(found: type) -> CoreSchema:
 
 
 def _definition(found: type) -> CoreSchema:
-    """A class as an object with its fields and its `type`; fields with a default may be left out."""
+    """A class as an object with its fields and its `type`; places, and fields with a default, may be left out."""
     hints = get_type_hints(found)
     fields = {"type": core_schema.typed_dict_field(core_schema.literal_schema([found.__name__]))}
     for field in dataclasses.fields(found):
-        required = field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
+        missing = field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
+        required = missing and hints[field.name] is not Span
         fields[field.name] = core_schema.typed_dict_field(_hinted(hints[field.name]), required=required)
     return core_schema.typed_dict_schema(fields, extra_behavior="forbid", ref=found.__name__)
 

@@ -31,7 +31,7 @@ def call(
     """The block that a call of an action is. Raises `Refused`; an action that reaches itself is refused."""
     node = definition.node
     assert isinstance(node, tree.ActionDefinition)
-    line = Line(project, definition.name, phrases, _rows(node), place.scope)
+    line = Line(project, definition.name, phrases, rows_of(node), place.scope)
     given = _given(node, line)
     bound = bind(project, node.parameters, given, place.scope, span, definition.name)
     label = line.name("as")
@@ -47,7 +47,7 @@ def call(
     return Sequence(items, span, clock=True, label=full)
 
 
-def _rows(node: tree.ActionDefinition) -> dict[str, Modifier]:
+def rows_of(node: tree.ActionDefinition) -> dict[str, Modifier]:
     """What may stand behind a call: a label, and every parameter by its name."""
     rows = {
         parameter.name.text: Modifier(parameter.name.text, (parameter.name.text, VALUE), "value", "")

@@ -20,7 +20,7 @@ from facescript.resolve.repeats import repeat
 from facescript.resolve.suggest import replace
 from facescript.resolve.sums import moment
 from facescript.resolve.texts import Inline
-from facescript.resolve.words import MODIFIERS, SYNONYMS, VERBS, Modifier
+from facescript.resolve.words import ENDINGS, MODIFIERS, SYNONYMS, VERBS, Modifier
 from facescript.syntax import tree
 from facescript.text import Span
 
@@ -45,7 +45,6 @@ HANDLERS: dict[str, Handler] = {
 ROWS: dict[str, Mapping[str, Modifier]] = {
     verb.name: {name: MODIFIERS[name] for name in verb.modifiers} for verb in VERBS.values()
 }
-ENDINGS = ("resume", "restart", "stop")
 
 
 def statements(project: Project, body: tuple[tree.Statement, ...], place: Place) -> tuple[Node, ...]:

@@ -6,7 +6,7 @@ from typing import Literal
 
 from facescript.ir.acts import Sequence
 from facescript.ir.play import Event, EventPattern, Reaction
-from facescript.resolve.blocks import ENDINGS, statements
+from facescript.resolve.blocks import statements
 from facescript.resolve.labels import check_free, gather
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project, Refused
@@ -14,6 +14,7 @@ from facescript.resolve.reader import Reader, over
 from facescript.resolve.scope import GLOBAL, Person, Scope
 from facescript.resolve.sums import quantity
 from facescript.resolve.units import TIME, article
+from facescript.resolve.words import ENDINGS
 from facescript.syntax import tree
 from facescript.text import Span
 

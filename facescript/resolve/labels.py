@@ -14,7 +14,7 @@ from facescript.syntax import tree
 def gather(project: Project, body: tuple[tree.Statement, ...], prefix: str, parent: Labels | None = None) -> Labels:
     """The labels of a scene, an action, a reaction or a pass of a repeat; names that are taken are reported."""
     labels = Labels(prefix, parent=parent)
-    for name in _named(body):
+    for name in named(body):
         _declare(project, labels, name)
     return labels
 
@@ -45,18 +45,19 @@ def check_free(project: Project, name: tree.Name) -> None:
         raise project.refuse("FS208", name.span, related=related, name=name.text)
 
 
-def _named(body: tuple[tree.Statement, ...]) -> Iterator[tree.Name]:
+def named(body: tuple[tree.Statement, ...]) -> Iterator[tree.Name]:
     """The names given with `as` in a block; a repeat's own belong to its passes."""
     for statement in body:
         if isinstance(statement, tree.Act):
-            yield from _label(statement.phrases)
+            yield from label(statement.phrases)
             for on in statement.ons:
-                yield from _named(on.body)
+                yield from named(on.body)
         elif not isinstance(statement, tree.Repeat):
-            yield from _named(statement.body)
+            yield from named(statement.body)
 
 
-def _label(phrases: tuple[tree.Phrase, ...]) -> Iterator[tree.Name]:
+def label(phrases: tuple[tree.Phrase, ...]) -> Iterator[tree.Name]:
+    """The name that a line gives itself with `as`, where it does."""
     for phrase in phrases:
         words = phrase.words
         for index in range(1 if phrase is phrases[0] else 0, len(words) - 1):

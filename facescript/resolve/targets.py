@@ -11,12 +11,15 @@ from facescript.resolve.reader import Reader, over, spelled
 from facescript.resolve.scope import GLOBAL
 from facescript.resolve.sums import primary
 from facescript.resolve.tracks import track
-from facescript.resolve.units import TIME, article
+from facescript.resolve.units import LARGEST, TIME, article
 from facescript.syntax.tree import Declaration, Name, Phrase, String, Word
 from facescript.syntax.tree import Point as PointWord
 from facescript.text import Span
 
 MOST_MEMBERS = 1_000
+LOST = "lost"
+"""The line between two keys of a moving target that nobody sees there."""
+
 FORM = (
     "`target NAME at PLACE`, `target NAME moves` with keys below, `target NAME of (PLACE) (PLACE)`, or "
     '`target NAME from "track.csv"`'
@@ -64,9 +67,13 @@ def _moving(project: Project, node: Declaration) -> MovingTarget:
         raise project.refuse("FS332", node.span, name=node.name.text)
     times: list[float] = []
     places: list[Point] = []
+    gaps: list[int] = []
     failed = False
     for row in node.lines:
         try:
+            if _is_lost(row):
+                gaps.append(len(times))
+                continue
             time, point = _key(project, row)
             if times and time <= times[-1]:
                 raise project.refuse("FS324", row[0].words[0].span, text=row[0].words[0].span.text)
@@ -76,7 +83,17 @@ def _moving(project: Project, node: Declaration) -> MovingTarget:
             failed = True
     if failed:
         raise Refused
-    return MovingTarget(node.name.text, tuple(times), tuple(places), node.span)
+    if not times:
+        raise project.refuse("FS332", node.span, name=node.name.text)
+    borders = (-LARGEST[TIME], *times, LARGEST[TIME])
+    lost = tuple((borders[gap], borders[gap + 1]) for gap in dict.fromkeys(gaps))
+    return MovingTarget(node.name.text, tuple(times), tuple(places), node.span, lost)
+
+
+def _is_lost(row: tuple[Phrase, ...]) -> bool:
+    """Whether a line says `lost`: nobody knows where the target is from the key before it to the key behind it."""
+    words = row[0].words
+    return len(row) == len(words) == 1 and isinstance(words[0], Name) and words[0].text == LOST
 
 
 def _key(project: Project, row: tuple[Phrase, ...]) -> tuple[float, Point]:

@@ -172,6 +172,8 @@ class _TextReader(Plain):
             self.close(span)
         elif content.startswith("read ") or content == "read":
             self.reading(content[5:].strip(), span)
+        elif content.startswith("mark ") and (name := content[5:].strip()):
+            self.stretches.append(Stretch("mark", self.length, self.length, name))
         elif content.startswith("wait ") and not content.startswith("wait until "):
             self.pause(source, at, close, span)
         else:

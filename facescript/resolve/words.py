@@ -41,6 +41,15 @@ class Verb:
     help: str
 
 
+@dataclass(frozen=True, slots=True)
+class Opener:
+    """What begins a line that is no verb's: how the line is written, and what it does."""
+
+    name: str
+    form: str
+    help: str
+
+
 def _rows(*rows: Modifier) -> dict[str, Modifier]:
     return {row.name: row for row in rows}
 
@@ -226,15 +235,81 @@ SYNONYMS = {
 }
 """Words of other languages, and what this one says instead."""
 
-_BLOCKS = (
-    "at choose event film forever in on people person repeat resume restart stop times to together until use when with"
+
+def _openers(*rows: Opener) -> dict[str, Opener]:
+    return {row.name: row for row in rows}
+
+
+BLOCKS: dict[str, Opener] = _openers(
+    Opener("together", "together:", "starts all its statements at once, and settles with the last"),
+    Opener("in turn", "in turn:", "makes several statements one: one after another"),
+    Opener("choose", "choose:", "does one of its statements, by the seed"),
+    Opener(
+        "repeat", "repeat 3 times:", 'passes: `3 times`, `for 20s`, `forever`, `NAME in CROWD` or `NAME in "TABLE"`'
+    ),
+    Opener("at", "at TIME:", "does its statements at a moment, and does not move the sequence on"),
+    Opener("on", 'on "WORD":', "does its statements when the word of the line above is spoken"),
 )
-_DEFINERS = "action expression face film kind let life scene target use viseme"
-_GIVEN = "all away camera down left neutral right up"
+"""What holds statements, where statements stand."""
+
+ENDINGS: dict[str, Opener] = _openers(
+    Opener("resume", "resume", "the last word of a reaction: the scene goes on"),
+    Opener("restart", "restart", "the last word of a reaction: the scene begins again"),
+    Opener("stop", "stop", "the last word of a reaction: the scene ends, and the next begins"),
+)
+
+DEFINITIONS: dict[str, Opener] = _openers(
+    Opener("film", "film 1280x720, 30fps, seed 7", "what the outputs are like"),
+    Opener("use", 'use "FILE"', "the definitions of another script"),
+    Opener("face", "face NAME = KIND, voice VOICE", "a face: its kind, voice, life and looks, here or on lines below"),
+    Opener("target", "target NAME at PLACE", "a place to look at; `moves` or `from` a file, or a crowd `of` places"),
+    Opener("expression", "expression NAME = SUM", "a sum of muscles, units and expressions, with parameters if wanted"),
+    Opener("action", "action NAME(PARAMETER, PARAMETER = VALUE):", "a verb of the script's own"),
+    Opener("let", "let NAME = VALUE", "a value with a name: a quantity, a draw, a sum, a colour, a text"),
+    Opener("life", "life NAME = PRESET, blink 8/min", "what a face does unasked"),
+    Opener("scene", 'scene NAME "TITLE" with FACE, FACE:', "statements that begin afresh; scenes play in their order"),
+    Opener("when", 'when heard "WORD":', "a reaction: runs beside the scene when something happens"),
+    Opener("event", 'event heard "WORD" at TIME', "what happens in a build, for reactions"),
+    Opener("viseme", 'viseme "SOUND" = "SOUND" 80%', "how the mouth is at a sound"),
+    Opener("kind", "kind NAME = eyes 100 apart, at 360 320", "a kind of face of the script's own, with its rows below"),
+)
+"""What stands outside of all blocks."""
+
+GIVEN: dict[str, str] = {
+    "camera": "straight ahead of the face, 60 cm away",
+    "people": "the crowd of those who have arrived and not left",
+    "away": "12 to 20 degrees aside, down or up, by the seed",
+    "left": "the face's own left: the viewer's right",
+    "right": "the face's own right: the viewer's left",
+    "up": "up",
+    "down": "down",
+    "neutral": "a sum of nothing: the face at rest",
+    "all": "all faces",
+    "none": "nothing",
+}
+"""Words that stand for something everywhere."""
+
+JOINING: dict[str, str] = {
+    "until": "a moment: `wait until hello.end`",
+    "forever": "until the film's `long`",
+    "times": "how often: `repeat 3 times:`",
+    "to": "a draw between two values, by the seed; between colours a gradient",
+    "with": "the faces of a scene",
+    "person": "whom an event brings: `when person arrives as NAME:`",
+}
+"""Words inside of lines that are no modifiers."""
+
 _CHANNELS = "brow cheek chin ear eye forehead gaze head lid lip mouth muzzle nose pupil"
 
 WORDS: frozenset[str] = frozenset(
-    {*VERBS, *DIRECT, NOTHING, *_BLOCKS.split(), *_DEFINERS.split(), *_GIVEN.split(), *_CHANNELS.split()}
+    {
+        *VERBS,
+        *DIRECT,
+        *(name.split()[0] for name in (*BLOCKS, *ENDINGS, *DEFINITIONS)),
+        *GIVEN,
+        *JOINING,
+        *_CHANNELS.split(),
+    }
 )
 """The language's own words: no definition, parameter or label may bear them."""
 

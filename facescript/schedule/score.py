@@ -73,6 +73,17 @@ class TimedScene:
 
 
 @dataclass(frozen=True, slots=True)
+class TimedBlock:
+    """A block with a clock of its own: a call of an action (`span` is where it is called) or a pass of a `repeat`.
+    `settled` is when the next statement may start, `estimated` whether a line that no voice has spoken is in it."""
+
+    span: Span
+    start: float
+    settled: float
+    estimated: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Marker:
     """A named statement in the outputs: `trials.7.cued` at a time."""
 
@@ -82,7 +93,7 @@ class Marker:
 
 @dataclass(frozen=True, slots=True)
 class Score:
-    """A play in time. `acts` are sorted by (start, order)."""
+    """A play in time. `acts` are sorted by (start, order), `blocks` are in the order written."""
 
     film: Film
     faces: tuple[Face, ...]
@@ -94,3 +105,4 @@ class Score:
     duration: float
     estimated: bool = False
     visemes: tuple[Viseme, ...] = ()
+    blocks: tuple[TimedBlock, ...] = ()

@@ -19,14 +19,15 @@ from facescript.ir.acts import (
     View,
     in_pass,
 )
+from facescript.ir.acts import Sequence as Block
 from facescript.ir.play import Play, Scene
 from facescript.ir.random import chance
 from facescript.schedule.deeds import Deed, walk
 from facescript.schedule.defaults import Concrete, seconds
 from facescript.schedule.looks import gone, scene_at
 from facescript.schedule.round import Round
-from facescript.schedule.score import FOREVER, Marker, Score, TimedAct, TimedLine, TimedScene
-from facescript.schedule.steps import NEVER, START
+from facescript.schedule.score import FOREVER, Marker, Score, TimedAct, TimedBlock, TimedLine, TimedScene
+from facescript.schedule.steps import DONE, NEVER, SETTLED, START, Step
 from facescript.space.plan import GazePlan
 
 SEEDS = 2**53
@@ -65,6 +66,7 @@ class Writing:
             duration,
             any(line.spoken.estimated for line in lines),
             self.play.visemes,
+            tuple(self._blocks()),
         )
 
     # -------------------------------------------------------------------------------------------- acts
@@ -136,10 +138,21 @@ class Writing:
             scene = self.play.scenes[played.scene]
             yield TimedScene(scene.name, scene.faces, played.root.start, end, scene.title)
 
+    def _blocks(self) -> Iterator[TimedBlock]:
+        for step, _ in self._steps():
+            node, start = step.node, step.time(START)
+            if isinstance(node, Block) and node.clock and step.parent is not None and start < min(step.limit, NEVER):
+                edge = SETTLED if step.time(SETTLED) < NEVER else DONE  # nobody asked when the last one settles
+                rough = step.rough(START) or step.rough(edge)
+                yield TimedBlock(node.span, start, min(step.time(edge), step.limit), rough)
+
+    def _steps(self) -> Iterator[tuple[Step, tuple[str, ...]]]:
+        return walk([*(played.root for played in self.round.scenes), *self.round.reactions])
+
     def _markers(self) -> Iterator[Marker]:
         """Every statement with a name, where it starts: a line that was broken off, where it is begun again."""
         found = []
-        for step, _ in walk([*(played.root for played in self.round.scenes), *self.round.reactions]):
+        for step, _ in self._steps():
             time = step.sayings[-1][0] if step.sayings else step.time(START)
             if step.node.label and time < min(step.limit, NEVER):
                 found.append(Marker(in_pass(step.node.label, step.passes), time))

@@ -18,9 +18,13 @@ Block = list[Line]
 """A line without indentation and those indented below it."""
 
 
-def cut(lines: list[Line], faults: Faults) -> list[Block]:
-    """The top-level blocks of a script, each line's `level` set. Lines nested deeper than `DEEPEST` are left out."""
-    _Levels(faults).set(lines)
+def cut(lines: list[Line], faults: Faults, odd: dict[int, int] | None = None) -> list[Block]:
+    """The top-level blocks of a script, each line's `level` set. Lines nested deeper than `DEEPEST` are left out.
+
+    `odd` are indentations that were reported in lines before, and what they are taken for; those of these lines join
+    them.
+    """
+    _Levels(faults, {} if odd is None else odd).set(lines)
     blocks: list[Block] = []
     for line in _shallow(lines, faults):
         if line.level == 0 or not blocks:
@@ -36,10 +40,10 @@ class _Levels:
     reported once and taken for the nearer one, the inner one if in doubt; `odd` remembers it for the lines beside it.
     """
 
-    def __init__(self, faults: Faults) -> None:
+    def __init__(self, faults: Faults, odd: dict[int, int]) -> None:
         self.faults = faults
         self.widths = [0]
-        self.odd: dict[int, int] = {}
+        self.odd = odd
 
     def set(self, lines: list[Line]) -> None:
         for index, line in enumerate(lines):
@@ -51,7 +55,8 @@ class _Levels:
         while widths[-1] > indent:
             inner = widths.pop()
         if widths[-1] == indent:
-            self.odd = {odd: width for odd, width in self.odd.items() if width <= indent}
+            for odd in [odd for odd, width in self.odd.items() if width > indent]:
+                del self.odd[odd]
         elif indent in self.odd:
             self._reopen(self.odd[indent], inner)
         elif inner == indent:

@@ -7,25 +7,26 @@ import unicodedata
 from typing import Any
 
 from facescript.syntax import tree
-from facescript.text import Source, Span
+from facescript.text import Piece, Source, Span
 
 _PARTS = re.compile(r'"([^"\n]*)"|([^."]+)')
 _NUMBER = re.compile(r"-?[0-9]*\.?[0-9]+")
 
 
 class Builder:
-    """Makes the nodes of one source. Rules get the values of their symbols without punctuation, and start and end.
+    """Makes the nodes of one source or piece. Rules get the values of their symbols without punctuation, and their
+    start and end.
 
     A line that could not be read has the value None; whatever holds lines leaves it out.
     """
 
-    def __init__(self, source: Source) -> None:
-        self.source = source
+    def __init__(self, place: Source | Piece) -> None:
+        self.place = place
 
     # -------------------------------------------------------------------------------------------- terminals
 
     def name(self, text: str, start: int, end: int) -> tree.Name:
-        return tree.Name(_composed(text), Span(self.source, start, end))
+        return tree.Name(_composed(text), Span(self.place, start, end))
 
     def dotted(self, text: str, start: int, end: int) -> tree.Dotted:
         parts: list[str | int] = []
@@ -37,50 +38,50 @@ class Builder:
                 parts.append(word)
             else:
                 parts.append(int(name) if name[0] in "0123456789" else _composed(name))
-        return tree.Dotted(tuple(parts), tuple(quoted), Span(self.source, start, end))
+        return tree.Dotted(tuple(parts), tuple(quoted), Span(self.place, start, end))
 
     def string(self, text: str, start: int, end: int) -> tree.String:
-        return tree.String(text[1:-1], Span(self.source, start, end))
+        return tree.String(text[1:-1], Span(self.place, start, end))
 
     def quantity(self, text: str, start: int, end: int) -> tree.Quantity:
         digits = _NUMBER.match(text).end()  # type: ignore[union-attr]
-        return tree.Quantity(float(text[:digits]), text[digits:], Span(self.source, start, end))
+        return tree.Quantity(float(text[:digits]), text[digits:], Span(self.place, start, end))
 
     def integer(self, text: str, start: int, end: int) -> tree.Integer:
-        return tree.Integer(int(text), Span(self.source, start, end))
+        return tree.Integer(int(text), Span(self.place, start, end))
 
     def size(self, text: str, start: int, end: int) -> tree.Size:
         width, height = text.split("x")
-        return tree.Size(int(width), int(height), Span(self.source, start, end))
+        return tree.Size(int(width), int(height), Span(self.place, start, end))
 
     def colour(self, text: str, start: int, end: int) -> tree.Colour:
-        return tree.Colour(text, Span(self.source, start, end))
+        return tree.Colour(text, Span(self.place, start, end))
 
     def operator(self, text: str, start: int, end: int) -> tree.Operator:
-        return tree.Operator(text, Span(self.source, start, end))
+        return tree.Operator(text, Span(self.place, start, end))
 
     # -------------------------------------------------------------------------------------------- words
 
     def call(self, children: list[Any], start: int, end: int) -> tree.Call:
         name, *arguments = children
-        return tree.Call(name, tuple(arguments), Span(self.source, start, end))
+        return tree.Call(name, tuple(arguments), Span(self.place, start, end))
 
     def argument(self, children: list[Any], start: int, end: int) -> tree.Argument:
-        return tree.Argument(None, children[0], Span(self.source, start, end))
+        return tree.Argument(None, children[0], Span(self.place, start, end))
 
     def named_argument(self, children: list[Any], start: int, end: int) -> tree.Argument:
         name, value = children
-        return tree.Argument(name, value, Span(self.source, start, end))
+        return tree.Argument(name, value, Span(self.place, start, end))
 
     def bracket(self, children: list[Any], start: int, end: int) -> tree.Point | tree.Bracket:
         inner = children[0]
-        span = Span(self.source, start, end)
+        span = Span(self.place, start, end)
         if len(inner.words) in (2, 3) and all(type(word) is tree.Quantity for word in inner.words):
             return tree.Point(inner.words, span)
         return tree.Bracket(inner, span)
 
     def phrase(self, children: list[Any], start: int, end: int) -> tree.Phrase:
-        return tree.Phrase(tuple(children), Span(self.source, start, end))
+        return tree.Phrase(tuple(children), Span(self.place, start, end))
 
     def phrases(self, children: list[Any], start: int, end: int) -> tuple[tree.Phrase, ...]:
         return tuple(children)
@@ -96,19 +97,19 @@ class Builder:
         parts = under[0] if under else ()
         more = tuple(part for part in parts if type(part) is tree.String)
         ons = tuple(part for part in parts if type(part) is tree.On)
-        return tree.Act(phrases, more, ons, Span(self.source, start, end))
+        return tree.Act(phrases, more, ons, Span(self.place, start, end))
 
     def life_act(self, children: list[Any], start: int, end: int) -> tree.Act:
         verb, (first, *others) = children
         first = tree.Phrase((verb, *first.words), verb.span.to(first.span))
-        return tree.Act((first, *others), (), (), Span(self.source, start, end))
+        return tree.Act((first, *others), (), (), Span(self.place, start, end))
 
     def under(self, children: list[Any], start: int, end: int) -> tuple[Any, ...]:
         return _read(children)
 
     def on(self, children: list[Any], start: int, end: int) -> tree.On:
         word, *nth, body = children
-        return tree.On(word, nth[0] if nth else 1, body, Span(self.source, start, end))
+        return tree.On(word, nth[0] if nth else 1, body, Span(self.place, start, end))
 
     def nth(self, text: str, start: int, end: int) -> int:
         return int(text[1:])
@@ -119,19 +120,19 @@ class Builder:
 
     def group(self, children: list[Any], start: int, end: int) -> tree.Group:
         kind, body = children
-        return tree.Group(kind, body, Span(self.source, start, end))
+        return tree.Group(kind, body, Span(self.place, start, end))
 
     def repeat(self, children: list[Any], start: int, end: int) -> tree.Repeat:
         how, body = children
-        return tree.Repeat(how, body, Span(self.source, start, end))
+        return tree.Repeat(how, body, Span(self.place, start, end))
 
     def cast(self, children: list[Any], start: int, end: int) -> tree.Cast:
         face, body = children
-        return tree.Cast(face, body, Span(self.source, start, end))
+        return tree.Cast(face, body, Span(self.place, start, end))
 
     def moment(self, children: list[Any], start: int, end: int) -> tree.Moment:
         time, body = children
-        return tree.Moment(time, body, Span(self.source, start, end))
+        return tree.Moment(time, body, Span(self.place, start, end))
 
     def body(self, children: list[Any], start: int, end: int) -> tuple[tree.Statement, ...]:
         return _read(children)
@@ -145,26 +146,26 @@ class Builder:
 
     def expression(self, children: list[Any], start: int, end: int) -> tree.ExpressionDefinition:
         name, *head, value = children
-        return tree.ExpressionDefinition(name, head[0] if head else (), value, Span(self.source, start, end))
+        return tree.ExpressionDefinition(name, head[0] if head else (), value, Span(self.place, start, end))
 
     def action(self, children: list[Any], start: int, end: int) -> tree.ActionDefinition:
         name, *head, body = children
-        return tree.ActionDefinition(name, head[0] if head else (), body, Span(self.source, start, end))
+        return tree.ActionDefinition(name, head[0] if head else (), body, Span(self.place, start, end))
 
     def parameters(self, children: list[Any], start: int, end: int) -> tuple[tree.Parameter, ...]:
         return tuple(children)
 
     def parameter(self, children: list[Any], start: int, end: int) -> tree.Parameter:
         name, *default = children
-        return tree.Parameter(name, default[0] if default else None, Span(self.source, start, end))
+        return tree.Parameter(name, default[0] if default else None, Span(self.place, start, end))
 
     def let(self, children: list[Any], start: int, end: int) -> tree.LetDefinition:
         name, value = children
-        return tree.LetDefinition(name, value, Span(self.source, start, end))
+        return tree.LetDefinition(name, value, Span(self.place, start, end))
 
     def viseme(self, children: list[Any], start: int, end: int) -> tree.VisemeDefinition:
         sound, value = children
-        return tree.VisemeDefinition(sound, value, Span(self.source, start, end))
+        return tree.VisemeDefinition(sound, value, Span(self.place, start, end))
 
     def face(self, children: list[Any], start: int, end: int) -> tree.Declaration:
         return self._declaration("face", children, start, end)
@@ -180,7 +181,7 @@ class Builder:
 
     def _declaration(self, kind: str, children: list[Any], start: int, end: int) -> tree.Declaration:
         name, phrases, *lines = children
-        return tree.Declaration(kind, name, phrases, lines[0] if lines else (), Span(self.source, start, end))
+        return tree.Declaration(kind, name, phrases, lines[0] if lines else (), Span(self.place, start, end))
 
     def lines(self, children: list[Any], start: int, end: int) -> tuple[tuple[tree.Phrase, ...], ...]:
         return _read(children)
@@ -190,22 +191,22 @@ class Builder:
         return phrases
 
     def film(self, children: list[Any], start: int, end: int) -> tree.Setting:
-        return tree.Setting("film", children[0], Span(self.source, start, end))
+        return tree.Setting("film", children[0], Span(self.place, start, end))
 
     def event(self, children: list[Any], start: int, end: int) -> tree.Setting:
-        return tree.Setting("event", children[0], Span(self.source, start, end))
+        return tree.Setting("event", children[0], Span(self.place, start, end))
 
     def use(self, children: list[Any], start: int, end: int) -> tree.Use:
-        return tree.Use(children[0], Span(self.source, start, end))
+        return tree.Use(children[0], Span(self.place, start, end))
 
     def scene(self, children: list[Any], start: int, end: int) -> tree.Scene:
         name, *rest, body = children
         title = rest.pop(0) if rest and isinstance(rest[0], tree.String) else None
-        return tree.Scene(name, tuple(rest), body, Span(self.source, start, end), title)
+        return tree.Scene(name, tuple(rest), body, Span(self.place, start, end), title)
 
     def when(self, children: list[Any], start: int, end: int) -> tree.When:
         event, body = children
-        return tree.When(event, body, Span(self.source, start, end))
+        return tree.When(event, body, Span(self.place, start, end))
 
     def start(self, children: list[Any], start: int, end: int) -> tuple[tree.Item, ...]:
         return _read(children)

@@ -6,22 +6,23 @@ from typing import Any
 
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostic, Diagnostics, Edit, Fix
-from facescript.text import Source, Span
+from facescript.text import Piece, Source, Span
 
 MOST = 200
 """How many diagnostics one parse gives; the next one says that there are more."""
 
 
 class Faults:
-    """Collects what is wrong with a source; places are offsets in it. `most` diagnostics are kept, all are counted."""
+    """Collects what is wrong with a source, or a piece of one; places are offsets in it. `most` diagnostics are kept,
+    all are counted."""
 
-    def __init__(self, source: Source, most: int = MOST) -> None:
-        self.source, self.most = source, most
+    def __init__(self, place: Source | Piece, most: int = MOST) -> None:
+        self.place, self.source, self.most = place, place.source, most
         self.found = 0
         self._items: list[Diagnostic] = []
 
     def span(self, start: int, end: int) -> Span:
-        return Span(self.source, start, end)
+        return Span(self.place, start, end)
 
     def add(self, code: str, start: int, end: int, fix: Fix | None = None, **values: Any) -> None:
         """One diagnostic with at most one fix. What comes after `most` of them is not made: it would not be read."""

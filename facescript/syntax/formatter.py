@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from facescript.diagnostics.model import Diagnostic, Edit, Severity
+from facescript.diagnostics.edits import edited, fitting
+from facescript.diagnostics.model import Severity
 from facescript.syntax.faults import MOST, Faults
 from facescript.syntax.layout import lay_out
 from facescript.syntax.parser import read
@@ -31,31 +32,8 @@ def format_source(source: Source) -> str:
         if any(item.severity is Severity.ERROR for item in faults.items):
             return source.text
         most = len(text)
-        edits = _edits(faults.items)
-        if not edits:
+        fixes = fitting(fix for hint in faults.items for fix in hint.fixes)
+        if not fixes:
             break
-        text = _edited(text, edits)
+        text = edited(text, (edit for fix in fixes for edit in fix.edits))
     return lay_out(Source(source.name, text))
-
-
-def _edits(hints: list[Diagnostic]) -> list[Edit]:
-    """The edits of all fixes that touch no other's, by place."""
-    chosen: list[Edit] = []
-    for hint in hints:
-        edits = [edit for fix in hint.fixes for edit in fix.edits]
-        if not any(_touch(edit, other) for edit in edits for other in chosen[-4:]):
-            chosen += edits
-    return sorted(chosen, key=lambda edit: edit.span.start)
-
-
-def _touch(one: Edit, other: Edit) -> bool:
-    return one.span.start <= other.span.end and other.span.start <= one.span.end
-
-
-def _edited(text: str, edits: list[Edit]) -> str:
-    parts: list[str] = []
-    place = 0
-    for edit in edits:
-        parts += text[place : edit.span.start], edit.text
-        place = edit.span.end
-    return "".join(parts) + text[place:]

@@ -53,10 +53,11 @@ class Line:
 
 @dataclass(slots=True)
 class Lexed:
-    """The lines of a source, and its comments as (start, end)."""
+    """The lines of a source, and its comments as (start, end); `open` is whether the last line would go on."""
 
     lines: list[Line] = field(default_factory=list)
     comments: list[tuple[int, int]] = field(default_factory=list)
+    open: bool = False
 
 
 def lex(source: Source, faults: Faults) -> Lexed:
@@ -96,6 +97,7 @@ class _Lexer:
         for text in self.text.split("\n"):
             self._physical(text.rstrip(" \t\r"), begin)
             begin += len(text) + 1
+        self.lexed.open = self.going_on
         self._stop()
         self._report_tabs()
         return self.lexed

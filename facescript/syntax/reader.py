@@ -19,17 +19,21 @@ GESTURES = frozenset(("nod", "shake", "blink"))
 
 
 class Reader:
-    """Reads blocks of one source; `lost` are the names in the lines that were left out."""
+    """Reads blocks of one source at a time; `lost` are the names in the lines that were left out."""
 
     def __init__(self, faults: Faults) -> None:
         self.faults = faults
         self.lost: set[str] = set()
-        builder = Builder(faults.source)
+        self.builder = builder = Builder(faults.place)
         self.terminals = {kind: getattr(builder, method) for kind, method in TERMINALS.items()}
         self.rules = [
             Rule(name, length, None if make in ("", "+") else getattr(builder, make), make == "+", kept, chains)
             for name, length, make, kept, chains in table().rules
         ]
+
+    def turn_to(self, faults: Faults) -> None:
+        """Read another source, or piece, from now on."""
+        self.faults, self.lost, self.builder.place = faults, set(), faults.place
 
     def items(self, block: Block) -> Any:
         """The items of a top-level block."""

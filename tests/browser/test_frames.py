@@ -21,7 +21,7 @@ from facescript.world import World
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 MOMENTS = 10
-SECONDS = 1.5
+SECONDS = 1.0
 SEED = 4
 TILE = 32
 MEAN, WORST = 2.0, 12.0

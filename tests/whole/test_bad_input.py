@@ -68,17 +68,18 @@ def test_target_behind_the_head_is_a_warning_and_a_film(tmp_path: Path) -> None:
     assert (tmp_path / "out.csv").stat().st_size > 1000
 
 
-@pytest.mark.parametrize(
-    "text", ["<script>alert(1)</script>", "a ]]> b", "a ' b & c", "\u05e9\u05dc\u05d5\u05dd", "e\u0301"]
-)
-def test_texts_are_inert_in_svg(text: str, tmp_path: Path) -> None:
+INERT = ("<script>alert(1)</script>", "a ]]> b", "a ' b & c", "\u05e9\u05dc\u05d5\u05dd", "e\u0301")
+
+
+def test_texts_are_inert_in_svg(tmp_path: Path) -> None:
     from lxml import etree
 
-    (tmp_path / "script.face").write_text(f'say "{text}"\n', "utf-8")
-    done = facescript("build", "script.face", "-o", "out.svg", "--size", "160x160", "--to", "200ms", cwd=tmp_path)
+    (tmp_path / "script.face").write_text("".join(f'say "{text}", rate 200%\n' for text in INERT), "utf-8")
+    done = facescript("build", "script.face", "-o", "out.svg", "--size", "160x160", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     tree = etree.parse(str(tmp_path / "out.svg"))
-    assert text in "".join(tree.find("{http://www.w3.org/2000/svg}desc").itertext())
+    told = "".join(tree.find("{http://www.w3.org/2000/svg}desc").itertext())
+    assert all(text in told for text in INERT)
     scripts = tree.findall(".//{http://www.w3.org/2000/svg}script")
     assert all("alert(1)" not in (script.text or "") for script in scripts)
 

@@ -74,7 +74,7 @@ def test_wherever_a_target_is_eyes_stay_in_their_reach(place: str, tmp_path: Pat
 
 
 def test_a_thousand_looks_a_second_at_a_moving_target(tmp_path: Path) -> None:
-    looks = "target bee at -30cm 5cm 1m\ntarget fly moves\n    0s -80cm 0cm 1m\n    1s 80cm 0cm 1m\nrepeat 60 times:\n"
+    looks = "target bee at -30cm 5cm 1m\ntarget fly moves\n    0s -80cm 0cm 1m\n    1s 80cm 0cm 1m\nrepeat 30 times:\n"
     looks += "    look at fly for 1ms\n    look at bee for 1ms\nwait 1s\n"
     check(channels(f"film screen none\nface ada = woman\n{looks}", tmp_path, np.arange(0.0, 2.0, 0.005)))
 

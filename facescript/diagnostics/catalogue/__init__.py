@@ -10,6 +10,7 @@ from facescript.diagnostics.catalogue.later import LATER
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.catalogue.names import NAMES
 from facescript.diagnostics.catalogue.pages import PAGES
+from facescript.diagnostics.catalogue.programs import PROGRAMS
 from facescript.diagnostics.catalogue.recordings import RECORDINGS
 from facescript.diagnostics.catalogue.speech import SPEECH
 from facescript.diagnostics.catalogue.syntax import SYNTAX
@@ -20,7 +21,7 @@ from facescript.text import Span
 
 CATALOGUE: dict[str, Entry] = {
     entry.code: entry
-    for family in (SYNTAX, NAMES, KINDS, VALUES, TIME, SPEECH, RECORDINGS, GAZE, FILES, LATER, COMMAND, PAGES)
+    for family in (SYNTAX, NAMES, KINDS, VALUES, TIME, SPEECH, RECORDINGS, GAZE, FILES, LATER, COMMAND, PAGES, PROGRAMS)
     for entry in family
 }
 

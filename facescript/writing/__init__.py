@@ -1,0 +1,1 @@
+"""A play to a script that compiles to the same play, and to whether it does."""
