@@ -23,6 +23,9 @@ DEFINITIONS = (
 )
 """What a script that others use brings."""
 
+DEEPEST = 100
+"""Scripts by way of which another one may be used."""
+
 
 def used(project: Project, script: tree.Script) -> list[tree.Script]:
     """All scripts that `script` uses, directly or through others, in the order first met."""
@@ -39,6 +42,9 @@ def _follow(project: Project, script: tree.Script, way: list[str], found: dict[s
         if name in way:
             chain = " -> ".join([*way[way.index(name) :], name])
             project.report("FS702", item.span, chain=chain)
+        elif len(way) > DEEPEST:
+            reason = f"it is used by way of more than {DEEPEST} others"
+            project.report("FS701", item.path.span, path=item.path.value, reason=reason)
         elif name not in found:
             _read(project, item, name, way, found)
 

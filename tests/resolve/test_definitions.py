@@ -289,3 +289,8 @@ def test_the_words_of_the_language() -> None:
     assert all(name in MODIFIERS for verb in VERBS.values() for name in verb.modifiers)
     assert MODIFIERS["over"].form == "over TIME"
     assert MODIFIERS["each"].form == "TIME each"
+
+
+def test_scripts_that_use_each_other_without_end_are_refused(tmp_path: Path) -> None:
+    chain = {f"s{number}.face": f'use "s{number + 1}.face"\n' for number in range(1200)}
+    assert used(tmp_path, {"script.face": 'use "s0.face"\nnod\n', **chain})[1] == ["FS701"]
