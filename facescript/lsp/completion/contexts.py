@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import pairwise
 
 from facescript.lsp import offers
-from facescript.lsp.here import Here
-from facescript.lsp.offers import Offer
-from facescript.lsp.statements import in_verb, settings
-from facescript.lsp.values import SUFFIXES, anything, in_sum, time_values
+from facescript.lsp.completion.here import Here
+from facescript.lsp.completion.offers import Offer
+from facescript.lsp.completion.statements import in_verb, settings
+from facescript.lsp.completion.values import SUFFIXES, anything, in_sum, time_values
 from facescript.lsp.vocabulary import crowd_size
 from facescript.resolve.blocks import HANDLERS
 from facescript.resolve.events import PERSONAL, TEXTUAL

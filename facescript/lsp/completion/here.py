@@ -7,9 +7,9 @@ from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice, pairwise
 
-from facescript.lsp.before import Before
+from facescript.lsp.completion.before import Before
+from facescript.lsp.completion.offers import Offer
 from facescript.lsp.desk import Analysis
-from facescript.lsp.offers import Offer
 from facescript.lsp.vocabulary import around, is_say, labels, project_of, spoken_words
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.tables import rows

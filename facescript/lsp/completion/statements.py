@@ -6,9 +6,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from facescript.lsp import offers
-from facescript.lsp.here import Here
-from facescript.lsp.offers import Offer
-from facescript.lsp.values import aimed, anything, argument, in_sum, time_values, value_of
+from facescript.lsp.completion.here import Here
+from facescript.lsp.completion.offers import Offer
+from facescript.lsp.completion.values import aimed, anything, argument, in_sum, time_values, value_of
 from facescript.lsp.vocabulary import parameters_of
 from facescript.resolve.actions import rows_of
 from facescript.resolve.blocks import ROWS

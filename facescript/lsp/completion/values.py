@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from facescript.lsp import offers
-from facescript.lsp.here import Here
-from facescript.lsp.offers import Offer
+from facescript.lsp.completion.here import Here
+from facescript.lsp.completion.offers import Offer
 from facescript.lsp.vocabulary import is_quantity, kind_of_face
 from facescript.resolve.faces import GAZES
 from facescript.resolve.film import SCREENS

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from lsprotocol import types
 
-from facescript.lsp.before import before
-from facescript.lsp.contexts import offered
+from facescript.lsp.completion.before import before
+from facescript.lsp.completion.contexts import offered
+from facescript.lsp.completion.here import MOST_LABELS, Here
+from facescript.lsp.completion.offers import Offer, described
 from facescript.lsp.desk import Analysis
-from facescript.lsp.here import MOST_LABELS, Here
-from facescript.lsp.offers import Offer, described
 from facescript.lsp.places import offset, position
 from facescript.lsp.server import FaceServer
 from facescript.lsp.vocabulary import project_of

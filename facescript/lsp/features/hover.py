@@ -9,7 +9,7 @@ from typing import Any
 from lsprotocol import types
 
 from facescript.diagnostics.model import Diagnostics
-from facescript.lsp.before import lexed
+from facescript.lsp.completion.before import lexed
 from facescript.lsp.describe import code, definition_text, modifier_text, primitive_text, verb_text, word_text
 from facescript.lsp.desk import Analysis
 from facescript.lsp.places import offset, range_of

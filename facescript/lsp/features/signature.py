@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 from lsprotocol import types
 
-from facescript.lsp.before import before, lexed
+from facescript.lsp.completion.before import before, lexed
+from facescript.lsp.completion.here import Here
+from facescript.lsp.completion.statements import Part, open_call, parts_of, row_of
 from facescript.lsp.desk import Analysis
-from facescript.lsp.here import Here
 from facescript.lsp.places import offset
 from facescript.lsp.server import FaceServer
-from facescript.lsp.statements import Part, open_call, parts_of, row_of
 from facescript.lsp.vocabulary import parameters_of
 from facescript.resolve.blocks import ROWS
 from facescript.resolve.meanings import comment_of
