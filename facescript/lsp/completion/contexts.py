@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import pairwise
 
-from facescript.lsp import offers
+from facescript.lsp.completion import offers
 from facescript.lsp.completion.here import Here
 from facescript.lsp.completion.offers import Offer
 from facescript.lsp.completion.statements import in_verb, settings

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from facescript.lsp import offers
+from facescript.lsp.completion import offers
 from facescript.lsp.completion.here import Here
 from facescript.lsp.completion.offers import Offer
 from facescript.lsp.completion.values import aimed, anything, argument, in_sum, time_values, value_of

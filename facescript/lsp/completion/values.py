@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from facescript.lsp import offers
+from facescript.lsp.completion import offers
 from facescript.lsp.completion.here import Here
 from facescript.lsp.completion.offers import Offer
 from facescript.lsp.vocabulary import is_quantity, kind_of_face
