@@ -12,6 +12,7 @@ from chromium import Page
 from numpy.typing import NDArray
 
 from facescript.cli.main import main
+from facescript.diagnostics.catalogue import CATALOGUE
 
 pytestmark = pytest.mark.xdist_group("svg")  # what its fixtures build is built once
 
@@ -22,23 +23,8 @@ EARLY, LATE = 0.015, 0.045
 
 TRIES = 3
 
-DOT = """\
-kind dot = eyes 100 apart, at 360 320
-    colours skin.base #ffe0a0, line.base #403020
-    outline (0 -150) (120 0) (0 150)
-    shell 1.3 1.6
-    nose base 60, width 20
-    eye half-width 26, up 16, down 12, inner 2, outer -2, iris 13, iris-y 0, crease -6 -18 -22 -20 -8, crease-width 2,
-        shade 5, line 0 2 3 3 2, wing 4 -3
-    mouth y 90, half-width 36, corner -2, upper 6, lower 8, tubercle 1, bow 8, dip 2, under 5, line 1.5, tick -2,
-        nose-base 60, wing 22 54
-    shape face, in face, law contour, fill skin.base, half (0 -150) (120 0) (0 150)
-    shape mouth-cavity, fill #401010
-    shape mouth-lip-lower, fill line.base
-    shape mouth-lip-upper, fill line.base
-    shape eye-white, each side, fill #ffffff
-    shape eye-iris, each side, fill line.base, clip eye-white
-"""
+DOT = CATALOGUE["FS240"].good.partition("\nface ")[0] + "\n"
+"""The smallest kind of face that the manual has."""
 
 # Looked at after each frame is drawn, when every script of the page has had its turn.
 CLOCKS = """
