@@ -13,8 +13,8 @@ from pathlib import Path
 from _scripts import talk
 from row import Row
 
-ROOT = Path(__file__).parents[2]
-sys.path += [str(ROOT / "tests" / "browser"), str(ROOT / "tests" / "preview")]
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "browser"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "preview"))
 from chromium import Page, program
 from serving import Serving
 
