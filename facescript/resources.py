@@ -1,4 +1,4 @@
-"""Where the grammar, the library, the summary and the examples lie: inside the installed package, or beside it in a checkout."""
+"""Where grammar, library, summary and examples lie: inside the installed package, or beside it in a checkout."""
 
 from __future__ import annotations
 

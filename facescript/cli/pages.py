@@ -12,7 +12,8 @@ from facescript.world import LARGEST_SCRIPT, World, WorldFailure, decode
 
 
 def page_wish(options: argparse.Namespace, world: World, script: str) -> PageWish:
-    """What the options ask for, of a script with this text; a template of the author's own is read and checked. Raises `OptionFault`."""
+    """What the options ask for of a script with this text; a template of the author's own is read and checked. Raises
+    `OptionFault`."""
     name = options.page or TEMPLATES[0]
     if name in TEMPLATES:
         return PageWish(name, split=options.split, script=script)

@@ -12,9 +12,9 @@ from pathlib import Path
 
 from facescript.backends.job import Job, JobFailure
 from facescript.backends.page.wish import PageWish
+from facescript.compile import Settings
 from facescript.diagnostics.model import Severity
 from facescript.pictures import PictureFailure
-from facescript.compile import Settings
 from facescript.project import compile_any
 from facescript.speech.studio import open_studio
 from facescript.text import Source
