@@ -129,7 +129,8 @@ def _lsp(parser: argparse.ArgumentParser) -> None:
 
 
 def _preview(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("script", metavar="SCRIPT", help="a .face file, a play in .json, or - for standard input")
+    told = "a .face file, a play in .json, or - for standard input; without one a playground opens"
+    parser.add_argument("script", metavar="SCRIPT", nargs="?", help=told)
     parser.add_argument("--port", metavar="N", help="the port of this machine, where the page is; else a free one")
     parser.add_argument("--open", action="store_true", help="show the page in the browser")
 

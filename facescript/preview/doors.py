@@ -10,6 +10,7 @@ from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
 from facescript.backends.page.document import resource
+from facescript.preview.examples import playground
 
 PAGE = Path(__file__).with_name("page")
 
@@ -17,11 +18,15 @@ KINDS = {
     ".html": "text/html; charset=utf-8",
     ".css": "text/css; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
+    ".json": "application/json",
     ".svg": "image/svg+xml",
 }
 
-LIVE = "/live"
-"""Where the page's WebSocket is."""
+LIVE, HELP = "/live", "/lsp"
+"""Where the page's WebSockets are: of what it shows, and of its language server."""
+
+EDITOR = PAGE / "editor.js"
+"""The editor, where `make playground` has built it."""
 
 HOSTS = ("127.0.0.1", "localhost", "[::1]")
 
@@ -41,6 +46,8 @@ HEADERS = {
 
 SOUND = re.compile(r"/sound/(\d{1,10}-\d{1,10}\.wav)", re.ASCII)
 
+SHARED = re.compile(r"/shared/(\d{1,10}\.html)", re.ASCII)
+
 RANGE = re.compile(r"bytes=(\d{1,15})-(\d{0,15})", re.ASCII)
 
 STRETCH = 4 * 1024 * 1024
@@ -48,12 +55,12 @@ STRETCH = 4 * 1024 * 1024
 
 
 class Doors:
-    """The doors of a server at `port`; its sound lies in `folder`."""
+    """The doors of a server at `port`; its sound, and pages that are shared, lie in `folder`."""
 
     def __init__(self, port: int, folder: Path) -> None:
         self._hosts = {f"{host}:{port}" for host in HOSTS} | (set(HOSTS) if port == 80 else set())
         self._folder = folder
-        self._files = {f"/{path.name}": path for path in PAGE.iterdir() if path.suffix in KINDS}
+        self._files = {f"/{path.name}": path for path in (*PAGE.iterdir(), EDITOR) if path.suffix in KINDS}
 
     def stranger(self, request: Request) -> bool:
         """Whether a request comes from a page of elsewhere, or by a name that is not this machine's own."""
@@ -67,11 +74,25 @@ class Doors:
         path = request.path.partition("?")[0]
         if path == "/drawing.js":
             return _found((resource("drawing.js") + "\nexport { drawing };\n").encode(), KINDS[".js"])
+        if path == "/playground.json":
+            return _found(playground(EDITOR.is_file()), KINDS[".json"])
+        shared = SHARED.fullmatch(path)
+        if shared is not None:
+            return self._shared(self._folder / shared[1])
         sound = SOUND.fullmatch(path)
         if sound is not None:
             return self._sound(self._folder / sound[1], request)
         file = self._files.get("/index.html" if path == "/" else path)
         return refused(HTTPStatus.NOT_FOUND) if file is None else _found(file.read_bytes(), KINDS[file.suffix])
+
+    def _shared(self, path: Path) -> Response:
+        """A page to be kept: a browser does not show it, so that this server's rule for pages does not apply to it."""
+        try:
+            answer = _found(path.read_bytes(), KINDS[".html"])
+        except OSError:
+            return refused(HTTPStatus.NOT_FOUND)
+        answer.headers["Content-Disposition"] = "attachment"
+        return answer
 
     def _sound(self, path: Path, request: Request) -> Response:
         """A stretch of a sound, or where none is asked for all of it."""

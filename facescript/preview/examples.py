@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import json
+from dataclasses import asdict, dataclass
 
 from facescript.resources import folder
 
@@ -26,6 +27,10 @@ NAMES = (
 )
 
 
+FIRST = "conversation"
+"""What stands in the playground at first."""
+
+
 @dataclass(frozen=True, slots=True)
 class Example:
     """A script with its name, and in a clause what it shows."""
@@ -38,6 +43,16 @@ class Example:
 def examples() -> tuple[Example, ...]:
     """All of them. What one shows is what its first line says."""
     return tuple(_example(name) for name in NAMES)
+
+
+def first() -> str:
+    """The text that stands in the playground at first."""
+    return _example(FIRST).text
+
+
+def playground(editor: bool) -> bytes:
+    """What the page asks for once, as JSON: the examples, and whether `editor.js` is there."""
+    return json.dumps({"editor": editor, "examples": [asdict(each) for each in examples()]}).encode()
 
 
 def _example(name: str) -> Example:

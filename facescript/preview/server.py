@@ -17,9 +17,11 @@ from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
 from facescript.preview.board import Board
-from facescript.preview.doors import LIVE, Doors, refused
+from facescript.preview.doors import HELP, LIVE, Doors, refused
+from facescript.preview.help import Helpers
 from facescript.preview.messages import Message, head_of, is_text, text
 from facescript.preview.paper import Edit, Paper, Refusal
+from facescript.preview.share import Sharing
 from facescript.preview.watch import changes
 from facescript.preview.workshop import Workshop
 from facescript.world import LARGEST_SCRIPT, World, WorldFailure
@@ -47,6 +49,7 @@ TAKEN: Mapping[str, Mapping[str, tuple[type, ...]]] = {
     "text": {"base": (int,), "from": (int,), "to": (int,), "text": (str,)},
     "curves": {"face": (str,), "channels": (list,)},
     "undo": {},
+    "share": {},
 }
 """What a page may say: the kinds, and what belongs to each."""
 
@@ -93,6 +96,7 @@ class Preview:
         self._paper, self._world, self._name, self._folder = paper, world, name, folder
         self._board, self._guests = Board(), set[Guest]()
         self._used: list[str] = []
+        self._sharing = Sharing(world.root, name, folder)
         self._loop = asyncio.get_running_loop()
         self._workshop = self._opened()
         self.publish()
@@ -101,7 +105,10 @@ class Preview:
         """The script is another now: pages and workshop are told."""
         paper = self._paper
         about = {"version": paper.version, "text": paper.text}
-        self._tell(text("script", name=self._name, writable=paper.path is not None, **about))
+        root = self._world.root.absolute()
+        place = {"root": root.as_uri(), "uri": (root / self._name).as_uri()}
+        writable = paper.path is not None or paper.scratch
+        self._tell(text("script", name=self._name, writable=writable, scratch=paper.scratch, **place, **about))
         self._workshop.tell({"kind": "text", **about})
 
     async def watch(self) -> None:
@@ -185,6 +192,9 @@ class Preview:
             guest.tell(text("refused", what="", why="it is no message of this page"))
             return
         kind = message["kind"]
+        if kind == "share":
+            self._sharing.share(self._paper.text, guest.tell)
+            return
         if kind not in ("text", "undo"):
             self._workshop.tell(message)
             return
@@ -227,16 +237,20 @@ async def run(paper: Paper, world: World, name: str, port: int, told: Callable[[
         folder = Path(made)
         doors: list[Doors] = []
         pages: list[Preview] = []
+        helpers = Helpers()
 
         def request(connection: ServerConnection, asked: Request) -> Response | None:
             if doors[0].stranger(asked):
                 return refused(HTTPStatus.FORBIDDEN)
+            if asked.path == HELP:
+                return None
             if asked.path != LIVE:
                 return doors[0].answer(asked)
             return refused(HTTPStatus.SERVICE_UNAVAILABLE) if pages[0].full else None
 
         async def receive(connection: ServerConnection) -> None:
-            await pages[0].receive(connection)
+            assert connection.request is not None
+            await (helpers.help if connection.request.path == HELP else pages[0].receive)(connection)
 
         async with serve(
             receive,

@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import sys
 from asyncio.subprocess import DEVNULL, PIPE
+from collections.abc import Callable
 from pathlib import Path
 
 from facescript.backends.job import Job, JobFailure
@@ -15,10 +16,14 @@ from facescript.backends.page.wish import PageWish
 from facescript.compile import Settings
 from facescript.diagnostics.model import Severity
 from facescript.pictures import PictureFailure
+from facescript.preview.messages import text
 from facescript.project import compile_any
 from facescript.speech.studio import open_studio
 from facescript.text import Source
 from facescript.world import World
+
+Tell = Callable[[bytes], None]
+"""Takes a message for a page."""
 
 PATIENCE = 180.0
 """Seconds after which a page that is not made is given up."""
@@ -27,12 +32,37 @@ REFUSED = 3
 """The exit code of one that cannot be made; why is on standard output."""
 
 
-async def share(root: Path, name: str, text: str, target: Path) -> str:
-    """Makes the page of a script `name` of the project in `root` as it stands in `text`; why not, or ""."""
+class Sharing:
+    """Pages of the script `name` of the project in `root`, made one at a time into `folder`; the last one stays."""
+
+    def __init__(self, root: Path, name: str, folder: Path) -> None:
+        self._root, self._name, self._folder = root, name, folder
+        self._number = 0
+        self._task: asyncio.Task[None] | None = None
+
+    def share(self, script: str, tell: Tell) -> None:
+        """Makes the page of a script's text; `tell` gets what is to be said of it."""
+        if self._task is not None and not self._task.done():
+            tell(text("refused", what="share", why="a page is being made already"))
+            return
+        self._task = asyncio.create_task(self._share(script, tell))
+
+    async def _share(self, script: str, tell: Tell) -> None:
+        target = self._folder / f"{self._number + 1}.html"
+        if why := await _made(self._root, self._name, script, target):
+            tell(text("refused", what="share", why=why))
+            return
+        self._number += 1
+        (self._folder / f"{self._number - 1}.html").unlink(missing_ok=True)
+        tell(text("shared", url=f"/shared/{target.name}"))
+
+
+async def _made(root: Path, name: str, script: str, target: Path) -> str:
+    """Makes the page in a process; why it is not made, or ""."""
     command = (sys.executable, "-m", __name__, str(root), name, str(target))
     process = await asyncio.create_subprocess_exec(*command, stdin=PIPE, stdout=PIPE, stderr=DEVNULL)
     try:
-        said, _ = await asyncio.wait_for(process.communicate(text.encode()), PATIENCE)
+        said, _ = await asyncio.wait_for(process.communicate(script.encode()), PATIENCE)
     except TimeoutError:
         return f"it was not made within {PATIENCE:.0f} s; `facescript build` takes its time"
     finally:

@@ -13,6 +13,7 @@ import {
 import { language } from "./language.js";
 import { help } from "./server.js";
 import { theme } from "./theme.js";
+import { wrapping } from "./wrapping.js";
 
 const told = Annotation.define();  // a change that the page made: it knows of it
 
@@ -27,7 +28,7 @@ const lineLit = Decoration.line({ class: "cm-face-lit" });
 const outfit = [
   lineNumbers(), foldGutter(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), history(), drawSelection(),
   dropCursor(), rectangularSelection(), EditorState.allowMultipleSelections.of(true), indentOnInput(), indentUnit.of("    "),
-  bracketMatching(), closeBrackets(), highlightSelectionMatches(), EditorView.lineWrapping, language, lit, theme,
+  bracketMatching(), closeBrackets(), highlightSelectionMatches(), wrapping, language, lit, theme,
   keymap.of([
     ...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...foldKeymap, ...completionKeymap,
     ...lintKeymap, indentWithTab,
@@ -38,11 +39,9 @@ const outfit = [
 export class Editor {
   #view;
   #helped = new Compartment();
-  #open = new Compartment();
   #end = () => {};
 
   constructor(place, { text, label, editable, edited, caret, save }) {
-    const root = place.attachShadow({ mode: "open" });  // its styles are sheets there, which need no leave of the page's policy
     const listener = EditorView.updateListener.of((update) => {
       if (update.docChanged && !update.transactions.every((each) => each.annotation(told))) edited();
       else if (update.selectionSet && !update.docChanged && update.transactions.some((each) => each.isUserEvent("select")))
@@ -50,10 +49,11 @@ export class Editor {
     });
     const saving = keymap.of([{ key: "Mod-s", preventDefault: true, run: () => { save(); return true; } }]);
     const extensions = [
-      saving, outfit, listener, this.#helped.of([]), this.#open.of(openTo(editable)),
+      saving, outfit, listener, this.#helped.of([]),
+      EditorState.readOnly.of(!editable), EditorView.editable.of(editable),
       EditorView.contentAttributes.of({ "aria-label": label }),
     ];
-    this.#view = new EditorView({ state: EditorState.create({ doc: text, extensions }), parent: root, root });
+    this.#view = new EditorView({ state: EditorState.create({ doc: text, extensions }), parent: place });
   }
 
   get text() {
@@ -64,14 +64,6 @@ export class Editor {
   replace(from, to, insert) {
     this.#view.dispatch({
       changes: { from, to, insert }, annotations: [told.of(true), isolateHistory.of("full")], userEvent: "input.told",
-    });
-  }
-
-  // Another text: nothing is left of the one before.
-  load(text, editable) {
-    this.#view.dispatch({
-      changes: { from: 0, to: this.#view.state.doc.length, insert: text }, selection: { anchor: 0 },
-      annotations: [told.of(true), isolateHistory.of("full")], effects: this.#open.reconfigure(openTo(editable)),
     });
   }
 
@@ -125,6 +117,3 @@ export class Editor {
     this.#view.focus();
   }
 }
-
-const openTo = (editable) => [EditorState.readOnly.of(!editable), EditorView.editable.of(editable)];
-

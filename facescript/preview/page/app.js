@@ -4,6 +4,7 @@ import { clock } from "./clock.js";
 import { controls } from "./controls.js";
 import { faults } from "./faults.js";
 import { figure } from "./figure.js";
+import { source } from "./source.js";
 import { wire } from "./wire.js";
 
 const AGAIN = 250;  // ms between two words to the server of where the playhead is
@@ -17,6 +18,7 @@ const jump = (from, to) => link.say("jump", { from, to });
 time.watch((now) => one("face").classList.toggle("waiting", !picture.draw(now)));
 controls(time, one("controls"));
 faults(link, one("faults"), jump);
+source(link, one("source"), one("source-button"), () => time.seek(0));
 
 link.on("state", ({ state }) => {
   one("state").textContent = state === "connected" ? "" : "the server is gone; looking for it";

@@ -32,6 +32,7 @@ export class Shared {
   #version = -1;
   #text = null;
   #sent = null;
+  #base = -1;
   #read;
   #send;
   #take;
@@ -62,8 +63,15 @@ export class Shared {
     if (this.#sent !== null || this.#text === null) return;
     const now = this.#read(), edit = difference(this.#text, now);
     if (isNothing(edit)) return;
-    this.#sent = now;
+    this.#sent = now, this.#base = this.#version;
     this.#send({ base: this.#version, ...edit });
+  }
+
+  // The server did not make the edit that was under way. Of a text that it has told of since it is made again.
+  refused() {
+    const stale = this.#sent !== null && this.#base < this.#version;
+    this.#sent = null;
+    if (stale) this.flush();
   }
 
   // Whether the server has all that was written.

@@ -42,12 +42,6 @@ export class PlainEditor {
     this.#telling = false;
   }
 
-  load(text, editable) {
-    this.#area.value = text;
-    this.#area.readOnly = !editable;
-    this.#area.setSelectionRange(0, 0);
-  }
-
   light(stretches) {
     this.#lit = stretches;
     this.#place();

@@ -1,0 +1,158 @@
+// The script beside the face: an editor for it, what is written to the server at once, what is written elsewhere to the
+// editor; and in the playground examples to begin with.
+import { Shared } from "./edits.js";
+import { PlainEditor } from "./plain.js";
+
+const PAUSE = 150;  // ms without a key until what was written is sent
+const UNBUILT = "A plain text field: colours and help come with the editor that `make playground` builds.";
+
+// In `place`, told by `link`; `button` shows and hides it, `begin()` goes to the film's beginning.
+export async function source(link, place, button, begin) {
+  const asked = fetch("playground.json").then((answer) => answer.json());
+  const latest = new Map();
+  for (const kind of ["script", "diagnostics"]) link.on(kind, (message) => latest.set(kind, message));
+  const script = await new Promise((found) => { link.on("script", found); });
+  const { editor, examples } = await asked;
+  const made = editor ? (await import("./editor.js")).Editor : PlainEditor;
+  return new Source({ link, place, button, begin, made, examples, built: editor, script: latest.get("script") ?? script, latest });
+}
+
+class Source {
+  #helped = null;
+  #helps = "";
+  #timer;
+  #version = 0;
+
+  constructor({ link, place, button, begin, made, examples, built, script, latest }) {
+    Object.assign(this, { link, place, button, begin, script, name: stem(script.name) });
+    this.#furnish(examples, built);
+    this.editor = new made(this.text, {
+      text: script.text, label: `Script ${script.name}`, editable: script.writable,
+      edited: () => this.#later(PAUSE), save: () => this.#save(),
+      caret: (at) => link.tell("lit", { from: at, to: at }),
+    });
+    this.shared = new Shared({
+      read: () => this.editor.text, send: (edit) => link.say("text", edit),
+      take: ({ from, to, text }) => this.editor.replace(from, to, text),
+    });
+    this.shared.begin(script.version, script.text);
+    this.#listen();
+    this.#heard(script);
+    if (latest.has("diagnostics")) this.#faults(latest.get("diagnostics"));
+  }
+
+  #furnish(examples, built) {
+    const { scratch, writable } = this.script;
+    this.place.innerHTML = `
+      <div class="source-bar" role="group" aria-label="Script tools">
+        <label class="source-examples">Example <select><option value="">choose …</option></select></label>
+        <button type="button" data-share>Share</button>
+        <button type="button" data-keep>Download .face</button>
+        <span class="source-told" role="status"></span>
+      </div>
+      <div class="source-text"></div>`;
+    const one = (name) => this.place.querySelector(name);
+    [this.text, this.told] = [one(".source-text"), one(".source-told")];
+    one(".source-examples").hidden = !scratch;
+    const select = one("select");
+    for (const { name, says } of examples) select.append(new Option(`${name}: ${says}`, name));
+    select.addEventListener("change", () => {
+      const example = examples.find(({ name }) => name === select.value);
+      if (example) this.#load(example);
+    });
+    one("[data-share]").addEventListener("click", () => this.#share());
+    one("[data-keep]").addEventListener("click", () => this.#download());
+    if (!built) this.text.after(Object.assign(document.createElement("p"), { className: "source-note", textContent: UNBUILT }));
+    if (!writable) this.#say("It came from standard input and stays as it is.");
+    this.button.addEventListener("click", () => this.#show(this.place.hidden));
+    this.button.hidden = false;
+    this.#show(scratch || innerWidth > 900);
+  }
+
+  #listen() {
+    const { link } = this;
+    link.on("script", (script) => this.#heard(script));
+    link.on("diagnostics", (message) => this.#faults(message));
+    link.on("refused", ({ what, why }) => {
+      if (what === "share") this.#say(`Not shared: ${why}.`);
+      if (what === "text") this.shared.refused(), this.#say(`Not taken: ${why}.`);
+    });
+    link.on("shared", ({ url }) => {
+      keep(url, `${this.name}.html`);
+      this.#say("Shared: one page, with the script in it, lies among your downloads.");
+    });
+    link.on("said jump", ({ from, to }) => this.editor.show(from, to, false));
+    addEventListener("facescript-plays", ({ detail: { version, places } }) => {
+      if (version === this.#version && this.shared.settled) this.editor.light(places.map(({ from, to }) => [from, to]));
+    });
+  }
+
+  #heard(script) {
+    this.script = script, this.#version = script.version;
+    if (this.shared.told(script.version, script.text))
+      this.#say("It was changed elsewhere where you were writing: what you wrote stays.");
+    if (script.uri !== this.#helped) this.#help(script);
+  }
+
+  #help({ uri, root }) {
+    this.#helped = uri;
+    this.editor.help?.(`ws://${location.host}/lsp`, uri, root, (state, why) => {
+      this.#helps = state;
+      if (state === "gone") this.#say(why ? `No help: ${why}` : "The language server is gone.");
+    });
+  }
+
+  #faults({ items }) {
+    if (this.#helps !== "there") this.editor.faults(items.filter((item) => item.start !== undefined));
+  }
+
+  #later(pause) {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.shared.flush(), pause);
+  }
+
+  // Whatever is written is in the file soon; who asks for it has it at once, and is told.
+  #save() {
+    this.shared.flush();
+    if (this.script.scratch) this.#download();
+    else if (this.script.writable) this.#say(`${this.script.name} is kept as you write it.`);
+  }
+
+  #load({ name, text }) {
+    this.editor.replace(0, this.editor.text.length, text);
+    this.editor.show(0, 0, true);
+    this.name = name;
+    this.begin();
+    this.shared.flush();
+  }
+
+  #share() {
+    this.shared.flush();
+    this.#say("Making the page …");
+    this.link.say("share");
+  }
+
+  #download() {
+    const url = URL.createObjectURL(new Blob([this.editor.text], { type: "text/plain" }));
+    keep(url, `${this.name}.face`);
+    setTimeout(() => URL.revokeObjectURL(url), 10000);
+  }
+
+  #show(shown) {
+    this.place.hidden = !shown;
+    this.button.setAttribute("aria-expanded", String(shown));
+  }
+
+  #say(text) {
+    this.told.textContent = text;
+  }
+}
+
+const stem = (name) => name.split("/").pop().replace(/\.\w+$/, "");
+
+function keep(href, download) {
+  const link = Object.assign(document.createElement("a"), { href, download });
+  document.body.append(link);
+  link.click();
+  link.remove();
+}
