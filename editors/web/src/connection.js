@@ -11,7 +11,7 @@ export function keepConnected(address, connect, lost) {
 
   function open() {
     socket = new WebSocket(address);
-    socket.onopen = () => { tries = 0, connect({ send, subscribe, unsubscribe }); };
+    socket.onopen = () => { tries = 0, connect({ send, subscribe, unsubscribe, close }); };
     socket.onmessage = ({ data }) => { for (const handler of handlers) handler(data); };
     socket.onclose = ({ code, reason }) => {
       if (ended) return;
@@ -27,6 +27,8 @@ export function keepConnected(address, connect, lost) {
   };
   const subscribe = (handler) => { handlers.add(handler); };
   const unsubscribe = (handler) => { handlers.delete(handler); };
+
+  const close = () => socket.close();
 
   open();
   return () => { ended = true, clearTimeout(timer), socket.close(); };

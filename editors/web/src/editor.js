@@ -100,7 +100,7 @@ export class Editor {
   // Talks to a language server at an address about the file `uri` of the folder `root`; said(state) hears how that goes.
   help(address, uri, root, said) {
     this.#end();
-    const { extension, end } = help({ address, uri, root, said });
+    const { extension, end } = help({ view: this.#view, address, uri, root, said });
     this.#end = end;
     this.#view.dispatch({ effects: this.#helped.reconfigure(extension) });
   }

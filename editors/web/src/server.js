@@ -8,9 +8,9 @@ import {
 import { keymap } from "@codemirror/view";
 import { keepConnected } from "./connection.js";
 import { plainHTML } from "./markdown.js";
-import { told } from "./told.js";
+import { asker, told } from "./told.js";
 
-const PATIENCE = 10000;  // milliseconds until an answer is given up
+const PATIENCE = 30000;  // milliseconds until an answer is given up
 
 // What an offer is said to be comes when it is looked at: the server makes it then.
 async function completions(context) {
@@ -30,8 +30,9 @@ async function described(plugin, label) {
   return place;
 }
 
-// The extension of an editor for a file, and what ends the talk. `said(state, why)` hears "there", "coming" or "gone".
-export function help({ address, uri, root, said }) {
+// Helps an editor with a file: its extension, and what ends the talk. `said(state, why)` hears "there", "coming" or
+// "gone".
+export function help({ view, address, uri, root, said }) {
   const client = new LSPClient({
     rootUri: root,
     timeout: PATIENCE,
@@ -47,7 +48,9 @@ export function help({ address, uri, root, said }) {
   });
   const end = keepConnected(
     address,
-    (transport) => { client.connect(transport).initializing.then(() => said("there"), () => {}); },
+    (transport) => {
+      client.connect(transport).initializing.then(() => { view.plugin(asker)?.later(0), said("there"); }, transport.close);
+    },
     (again, why) => { client.disconnect(), said(again ? "coming" : "gone", why); },
   );
   return { extension: client.plugin(uri, "face"), end };

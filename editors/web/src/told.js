@@ -9,7 +9,7 @@ const PAUSE = 150;  // milliseconds without an edit before it is asked
 const AROUND = 5000;  // units of text before and behind what is seen for which times are asked
 const SEVERITIES = [, "error", "warning", "info", "hint"];
 
-const asker = ViewPlugin.fromClass(class {
+export const asker = ViewPlugin.fromClass(class {
   constructor(view) {
     this.view = view;
     this.later(0);
@@ -30,7 +30,7 @@ const asker = ViewPlugin.fromClass(class {
 
   async ask() {
     const plugin = LSPPlugin.get(this.view), { doc } = this.view.state;
-    if (!plugin?.client.connected) return;
+    if (!plugin?.client.connected) return;  // it is asked when it comes
     plugin.client.sync();
     const [faults, times] = await Promise.all([faultsOf(plugin, doc), timesOf(plugin, this.view)]);
     if (this.view.state.doc !== doc) return;  // a later edit asks again
