@@ -4,6 +4,7 @@ import { fit, width } from "./text.js";
 import { tint } from "./theme.js";
 
 export const NARROW = 3;  // a bar is at least so wide, px; where several stand closer, the first stands for them
+const DASHED = 16;  // a bar is so wide, px, where its edge is dashed because its times are estimates
 const ROOM = 5;  // pixels from a bar's edge to its text
 
 // All bars of a lane that are in sight.
@@ -21,7 +22,7 @@ export function bars(context, view, strip) {
     context.fill();
     context.strokeStyle = tint(strip.lane.colour, theme, 0.75);
     context.lineWidth = 1;
-    context.setLineDash(act.estimated ? [3, 2] : []);
+    context.setLineDash(act.estimated && right - left > DASHED ? [3, 2] : []);
     context.stroke();
     phrase(context, view, strip, act);
   }
@@ -51,8 +52,8 @@ export function outline(context, axis, act, top, height, grow = 0) {
 }
 
 // What is done: on the flat top, else inside the bar, else behind it where there is room. A line whose words stand below
-// says nothing.
-export function phrase(context, view, strip, act) {
+// says nothing. With `inside` it is left out where it does not stand on the bar.
+export function phrase(context, view, strip, act, inside = false) {
   if (strip.lane.name === "speech" && wordsFit(context, view, act)) return;
   const { axis, theme } = view, top = topOf(strip, act), height = strip.bar;
   const free = strip.next.has(act) ? axis.x(strip.next.get(act)) : axis.width;
@@ -60,11 +61,14 @@ export function phrase(context, view, strip, act) {
   context.fillStyle = theme.ink;
   const left = Math.max(axis.x(act.start), 0), right = Math.min(Math.max(axis.x(act.end), left + NARROW), axis.width);
   const y = top + (height > 24 ? 14 : height / 2 + 4), long = width(context, act.label);
-  if (act.start === act.end) return write(context, act.label, axis.x(act.start) + 9, y, free - axis.x(act.start) - 14);
+  if (inside && act.start === act.end) return;
+  if (act.start === act.end) return void write(context, act.label, axis.x(act.start) + 9, y, free - axis.x(act.start) - 14);
   const flat = [Math.max(axis.x(act.apex), left), Math.min(axis.x(act.release), right)];
   let start = flat[0] + ROOM, room = right - left - 2 * ROOM;
   if (long + 2 * ROOM > flat[1] - flat[0]) start = Math.max(left + ROOM, Math.min(flat[0], right - ROOM - long));
-  if (long > room && room < long / 2 && free - right - 2 * ROOM >= long) start = right + ROOM, room = long;
+  const behind = long > room && room < long / 2 && free - right - 2 * ROOM >= long;
+  if (behind && inside) return;
+  if (behind) start = right + ROOM, room = long;
   else room = right - ROOM - start;
   write(context, act.label, start, y, room);
 }

@@ -1,5 +1,7 @@
 // Channels to lines over the same time axis: in each column of pixels from the least to the greatest value.
 
+import { tint } from "./theme.js";
+
 const EDGE = 8;  // pixels that curves keep from their panel's frame
 
 export function curves(context, view, strip) {
@@ -24,8 +26,8 @@ export function curves(context, view, strip) {
   context.fillText(amount(strip.least, strip.unit), 4, bottom - 1);
 }
 
-// Black lines are the ink's colour: in the dark they are light.
-export const shown = (colour, theme) => colour === "#000000" ? theme.ink : colour;
+// Black lines have the ink's colour, which is light in the dark, as the others are then.
+export const shown = (colour, theme) => colour === "#000000" ? theme.ink : tint(colour, theme, 1);
 
 function course(context, axis, { values, every }, y) {
   const first = Math.max(0, Math.floor(axis.time(-2) / every)), last = Math.ceil(axis.time(axis.width + 2) / every);

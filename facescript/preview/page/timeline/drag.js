@@ -89,7 +89,7 @@ export function tell(view, drag, done) {
   if (!done && now - drag.asked < OFTEN) return;
   drag.asked = now;
   const id = view.score.acts.indexOf(drag.act), { handle, by, degree } = drag;
-  view.send({ kind: "drag", version: view.version, id, handle, by, degree, done });
+  view.say("drag", { version: view.version, id, handle, by, degree, done });
   if (done) drag.given = setTimeout(() => view.letGo("Nothing answered: the text is as it was."), PATIENCE);
 }
 

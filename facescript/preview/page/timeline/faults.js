@@ -31,9 +31,8 @@ export class Faults {
   }
 
   told([first, ...others]) {
-    const more = others.length ? ` and ${others.length} more` : "";
-    return [make("p", { class: "tl-over-head" }, `The picture is the last that could be played${more ? `; 1 error${more}` : ""}`),
-      this.entry(first)];
+    const count = others.length ? `${others.length + 1} errors` : "An error";
+    return [make("p", { class: "tl-over-head" }, `${count}. The picture is the last that could be played.`), this.entry(first)];
   }
 }
 

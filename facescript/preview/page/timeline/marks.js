@@ -15,9 +15,9 @@ export function mark(context, view) {
   context.rect(0, RULER, axis.width, height - RULER);
   context.clip();
   context.translate(0, RULER - scrolled);
-  for (const act of view.lit) fillBar(context, view, act, 0.4);
+  for (const act of view.lit) fillBar(context, view, act, 0.5);
   context.textBaseline = "alphabetic";
-  for (const act of view.lit) phrase(context, view, place(view, act).strip, act);
+  for (const act of view.lit) phrase(context, view, place(view, act).strip, act, true);
   spoken(context, view);
   for (const act of view.caret) ring(context, view, act, view.theme.caret, [2, 2]);
   if (view.hovered && view.hovered !== view.chosen) ring(context, view, view.hovered, view.theme.soft);
@@ -34,11 +34,18 @@ function place(view, act) {
 function fillBar(context, view, act, strength) {
   const { strip, top } = place(view, act);
   outline(context, view.axis, act, top, strip.bar);
+  if (strip.lane.name !== "speech") covered(context, view);
   context.fillStyle = tint(strip.lane.colour, view.theme, strip.lane.name === "speech" ? strength / 2 : strength);
   context.fill();
   context.strokeStyle = tint(strip.lane.colour, view.theme, 1);
   context.lineWidth = 1.5;
   context.stroke();
+}
+
+// What the bar says below is hidden, to be said again on the brighter bar.
+function covered(context, view) {
+  context.fillStyle = view.theme.paper;
+  context.fill();
 }
 
 function ring(context, view, act, colour, dash = [], wide = 1.5) {
@@ -59,7 +66,7 @@ function chosen(context, view, act) {
   for (const [handle, time] of [["start", act.start], ["end", act.until]]) {
     if (!act.handles[handle]) continue;
     context.beginPath();
-    context.roundRect(view.axis.x(time) - GRIP / 2 - 0.5, top + 3, GRIP + 1, strip.bar - 6, 2);
+    context.roundRect(view.axis.x(time) - GRIP / 2 + (handle === "start" ? 2 : -2), top + 3, GRIP, strip.bar - 6, 2);
     context.fill();
   }
 }

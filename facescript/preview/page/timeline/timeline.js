@@ -14,13 +14,13 @@ const SHORTEST = 0.1;  // seconds of a loop, at least
 const TURN = 0.85, BACK = 0.12;  // where in sight the playhead turns the page, and where it then is
 
 export class Timeline {
-  // `place` is an element of the page; `wire` has on(kind, act) and send(message); `clock` is that of the page.
+  // `place` is an element of the page, `wire` and `clock` are the page's own.
   constructor(place, wire, clock) {
     this.wire = wire;
     this.clock = clock;
     this.view = { axis: new Axis(), strips: [], scrolled: 0, height: 0, dense: 1, score: null, version: 0, loop: null, peaks: [],
       words: [], time: 0, lit: [], caret: [], hovered: null, chosen: null, drag: null,
-      send: (message) => wire.send(message), letGo: (why) => this.letGo(why) };
+      say: (kind, values) => wire.say(kind, values), letGo: (why) => this.letGo(why) };
     this.curves = new Map();
     this.following = true;
     const bar = make("div", { class: "tl-tools", role: "group", "aria-label": "Timeline tools" });
@@ -80,7 +80,7 @@ export class Timeline {
 
   askCurves(face) {
     const channels = this.chooser.names(face);
-    if (channels.length) return this.wire.send({ kind: "curves", face, channels });
+    if (channels.length) return this.wire.say("curves", { face, channels });
     this.curves.delete(face);
     return this.lay();
   }
@@ -103,7 +103,6 @@ export class Timeline {
     const { view } = this;
     view.time = time;
     if (!view.score) return;
-    if (view.loop && this.clock.playing && time >= view.loop.to) this.clock.seek(view.loop.from);
     if (this.clock.playing) this.follow(false);
     this.light(false);
     this.surface.markLater();
@@ -133,16 +132,12 @@ export class Timeline {
     if (!dragged) this.following = true;
   }
 
-  setSpeed(rate) {
-    this.clock.setRate(rate);
-    this.tools.showSpeed(rate);
-  }
-
   // ---------------------------------------------------------------- loop
 
   setLoop(one, two) {
     const from = Math.max(0, Math.min(one, two)), to = Math.min(this.view.score.duration, Math.max(one, two));
     this.view.loop = { from, to: Math.max(to, from + 1e-3) };
+    this.clock.setLoop(from, this.view.loop.to);
     this.tools.showLoop(this.view.loop, span(this.view, from, to));
     this.surface.draw();
   }
@@ -157,6 +152,7 @@ export class Timeline {
   unloop() {
     this.last = this.view.loop;
     this.view.loop = null;
+    this.clock.setLoop();
     this.tools.showLoop(null);
     this.surface.draw();
   }
@@ -183,7 +179,7 @@ export class Timeline {
     this.view.chosen = act;
     this.reader.choose(this.view);
     this.surface.markLater();
-    if (jump && act?.from !== undefined) this.wire.send({ kind: "jump", from: act.from, to: act.to });
+    if (jump && act?.from !== undefined) this.wire.say("jump", { from: act.from, to: act.to });
   }
 
   point(act, x = 0, y = 0) {
@@ -207,7 +203,7 @@ export class Timeline {
   }
 
   undo() {
-    this.wire.send({ kind: "undo" });
+    this.wire.say("undo");
   }
 
   // ---------------------------------------------------------------- words beside the pointer
