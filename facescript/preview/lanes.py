@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from facescript.ir.acts import Drop, SetBackground, SetLife, View
 from facescript.ir.play import Play
 from facescript.performance.channels import channels_of
 from facescript.plot.acts import Bar, Lane, face_lanes, film_lanes
-from facescript.preview.places import Places
+from facescript.preview.messages import Message
+from facescript.preview.places import Units
 from facescript.schedule.score import Score, TimedAct, TimedLine
-from facescript.text import Span
+from facescript.text import Source, Span
 
 MOST_ROWS = 8
 """Rows of one lane; bars for which there is no room lie over others in the last."""
@@ -21,42 +23,44 @@ PLACES = 4
 GOES_ON = (",", "+", "=")
 """What a line ends in that goes on in the next."""
 
+CHANGES = (Drop, SetBackground, SetLife, View)
+"""Verbs whose length is that of a change."""
+
 Handles = Callable[[TimedAct], Mapping[str, object]]
 """An act to those of its handles that may be dragged, each with `least` and `most`."""
 
 
 @dataclass(frozen=True, slots=True)
-class Timed:
-    """A script that is solved: its own text is that of `places`."""
+class Page:
+    """The script whose places a page knows, and which of an act's handles it offers."""
 
-    play: Play
-    score: Score
-    places: Places
+    source: Source
+    units: Units
+    handles: Handles
 
 
-def timeline(timed: Timed, handles: Handles) -> dict[str, object]:
-    """What the message `score` says of a script, but for its version and the playhead. Times are seconds to 0.1 ms.
+def timeline(score: Score, play: Play, source: Source, units: Units, handles: Handles = lambda act: {}) -> Message:
+    """The message `score` without its version and playhead; places are of `source`, the script, in `units`.
 
-    `channels` are the names of those that each seen face has.
+    Times are seconds to 0.1 ms. `channels` are the names of those that each seen face has.
     """
-    play, score = timed.play, timed.score
+    page = Page(source, units, handles)
     lanes: list[tuple[str | None, Lane]] = [(None, lane) for lane in film_lanes(score, play)]
     lanes += [(face.name, lane) for face in score.faces for lane in face_lanes(score, face)]
-    acts = [act for number, (_, lane) in enumerate(lanes) for act in _acts(lane, number, timed.places, handles)]
     film = score.film
     return {
         "duration": score.duration,
         "film": {"width": film.width, "height": film.height, "fps": film.fps, "title": film.title},
         "scenes": [{"name": each.name, "start": _s(each.start), "end": _s(each.end)} for each in score.scenes],
         "lanes": [{"face": face, "name": lane.name, "colour": lane.colour} for face, lane in lanes],
-        "acts": acts,
+        "acts": [act for number, (_, lane) in enumerate(lanes) for act in _acts(lane, number, page)],
         "lines": [_line(line) for line in score.lines],
         "markers": [{"name": each.name, "time": _s(each.time)} for each in score.markers],
         "channels": {face.name: channels_of(face.parts) for face in score.faces if face.seen},
     }
 
 
-def _acts(lane: Lane, number: int, places: Places, handles: Handles) -> Iterator[dict[str, object]]:
+def _acts(lane: Lane, number: int, page: Page) -> Iterator[Message]:
     for bar, row in zip(lane.bars, rows(lane.bars), strict=True):
         act = bar.act
         yield {
@@ -67,12 +71,19 @@ def _acts(lane: Lane, number: int, places: Places, handles: Handles) -> Iterator
             "release": _s(bar.release),
             "end": _s(bar.end),
             "settled": _s(act.settled if act is not None else bar.end),
+            "until": _s(_until(bar)),
             "label": bar.label,
             "note": bar.note,
             "estimated": act is not None and act.estimated,
-            "handles": handles(act) if act is not None else {},
-            **(_place(bar.span, places) if bar.span is not None else {}),
+            "handles": page.handles(act) if act is not None else {},
+            **(_place(bar.span, page) if bar.span is not None else {}),
         }
+
+
+def _until(bar: Bar) -> float:
+    """What the handle `end` moves: when an act begins to let go, or has changed what it changes."""
+    changes = bar.act is not None and isinstance(bar.act.verb, CHANGES)
+    return bar.act.settled if bar.act is not None and changes else bar.release
 
 
 def rows(bars: Sequence[Bar]) -> Iterator[int]:
@@ -89,12 +100,12 @@ def rows(bars: Sequence[Bar]) -> Iterator[int]:
         yield row
 
 
-def _place(span: Span, places: Places) -> dict[str, object]:
+def _place(span: Span, page: Page) -> Message:
     """Where a statement stands: in the script itself the stretch without what is indented below it, else its file."""
     line, _ = span.source.position(span.start)
-    if span.source.name != places.source.name:
+    if span.source is not page.source:
         return {"file": span.source.name, "line": line}
-    return {"from": places.unit(span.start), "to": places.unit(span.start + _head(span.text)), "line": line}
+    return {"from": page.units.at(span.start), "to": page.units.at(span.start + _head(span.text)), "line": line}
 
 
 def _head(text: str) -> int:
@@ -106,7 +117,7 @@ def _head(text: str) -> int:
     return len("".join(lines[:count]).rstrip())
 
 
-def _line(line: TimedLine) -> dict[str, object]:
+def _line(line: TimedLine) -> Message:
     words = [word for word in line.spoken.words if line.start + word.start < line.end]
     return {
         "face": line.face,

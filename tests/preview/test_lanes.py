@@ -12,12 +12,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from facescript.compile import compile_source
-from facescript.motion.perform import perform
+from facescript.backends.job import Job
+from facescript.compile import Compiled, compile_source
 from facescript.plot.acts import Bar
 from facescript.preview.curves import EVERY, curves
-from facescript.preview.lanes import MOST_ROWS, Timed, rows, timeline
-from facescript.preview.places import Places
+from facescript.preview.lanes import MOST_ROWS, rows, timeline
+from facescript.preview.messages import head_of
+from facescript.preview.places import Units
 from facescript.speech.estimate import EstimatedVoice
 from facescript.text import Source
 from facescript.world import World
@@ -42,16 +43,18 @@ scene more with bruno:
 """
 
 
-def timed(text: str, folder: Path | None = None) -> Timed:
+def compiled(text: str, folder: Path | None = None) -> Compiled:
     source = Source("tea.face", text)
     world = World(folder or Path())
-    compiled = compile_source(source, world, EstimatedVoice(world))
-    assert compiled.play is not None and compiled.score is not None, [item.message for item in compiled.diagnostics]
-    return Timed(compiled.play, compiled.score, Places(source))
+    return compile_source(source, world, EstimatedVoice(world))
 
 
 def told(text: str, folder: Path | None = None) -> dict[str, Any]:
-    found: dict[str, Any] = timeline(timed(text, folder), lambda act: {"end": {"least": 0.1, "most": 9.0}})
+    made = compiled(text, folder)
+    assert made.play is not None and made.score is not None, [item.message for item in made.diagnostics]
+    found: dict[str, Any] = timeline(
+        made.score, made.play, made.source, Units(text), lambda act: {"end": {"least": 0.1, "most": 9.0}}
+    )
     json.dumps(found, allow_nan=False)
     return found
 
@@ -123,24 +126,26 @@ def test_bars_of_a_row_follow_one_another(shapes: list[tuple[float, float, float
         assert all(one.release <= other.start for one, other in pairwise(mine))
 
 
-@given(st.text(alphabet="aé🍵\n𝒳", max_size=20), st.data())
-def test_places_go_there_and_back(text: str, data: st.DataObject) -> None:
-    places, at = Places(Source("t", text)), data.draw(st.integers(0, len(text)))
-    unit = places.unit(at)
-    assert unit == len(text[:at].encode("utf-16-le")) // 2 and places.offset(unit) == at
-    if text[at : at + 1] > "\uffff":
-        assert places.offset(unit + 1) == at
-
-
-def test_curves_are_the_performance(tea: dict[str, Any]) -> None:
-    made = timed(SCRIPT)
-    performance = perform(made.score)
-    found: Any = curves(made.score, performance, "ada", ["lid.left", "head.yaw", "nonsense", "ear.left", "lid.left"])
-    lid, yaw = found["channels"]
-    assert (lid["name"], lid["unit"], yaw["name"], yaw["unit"]) == ("lid.left", "1", "head.yaw", "deg")
+def test_curves_are_the_performance() -> None:
+    made = compiled(SCRIPT)
+    assert made.play is not None and made.score is not None
+    job = Job(made.play, made.score, lambda name: b"", 0.0, made.score.duration)
+    asked = {"face": "ada", "channels": ["lid.left", "head.yaw", "nonsense", 7, "ear.left", "lid.left"]}
+    found: Any = head_of(curves(job, 3, asked))
+    yaw, lid = found["channels"]
+    assert found["version"] == 3 and [lid["name"], yaw["name"]] == ["lid.left", "head.yaw"]
+    assert [lid["unit"], yaw["unit"]] == ["1", "deg"]
     times = np.arange(len(yaw["values"])) * EVERY
     assert times[-1] <= made.score.duration < times[-1] + EVERY
-    column = performance.names.index("ada.head.yaw")
-    assert yaw["values"] == pytest.approx(performance.sample(times)[:, column].tolist(), abs=0.006)
+    column = job.performance.names.index("ada.head.yaw")
+    assert yaw["values"] == pytest.approx(job.performance.sample(times)[:, column].tolist(), abs=0.006)
     assert yaw["least"] == min(yaw["values"]) and yaw["most"] == max(yaw["values"])
-    assert curves(made.score, performance, "nobody", ["lid.left"]) is None
+    for nonsense in ({"face": "nobody", "channels": ["lid.left"]}, {"face": ["ada"], "channels": {}}, {}):
+        assert head_of(curves(job, 3, nonsense))["channels"] == []
+
+
+def test_the_end_of_a_change_is_when_it_is_done() -> None:
+    found = told("life calm over 2s\nwait 3s\ndrop smile over 1s\n".replace("drop", "show smile\ndrop"))
+    change, drop = acts(found, "somebody", "life")[-1], acts(found, "somebody", "face")[-1]
+    assert change["until"] == pytest.approx(2.0) and change["end"] > 4
+    assert drop["until"] == pytest.approx(drop["start"] + 1.0)

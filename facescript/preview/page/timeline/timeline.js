@@ -31,7 +31,7 @@ export class Timeline {
     place.append(this.note, this.spoken);
     this.reader = new Reader(this.surface.acts);
     this.tools = new Tools(bar, this);
-    this.chooser = new Chooser(this.tools.panel, (face) => this.askCurves(face));
+    this.chooser = new Chooser(this.tools.curves.panel, (face) => this.askCurves(face));
     this.hands = new Hands(this);
     this.surface.scroller.addEventListener("pointerdown", () => { this.following = false; }, { capture: true, passive: true });
     this.surface.scroller.addEventListener("wheel", () => { this.following = false; }, { capture: true, passive: true });
