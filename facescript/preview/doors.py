@@ -60,7 +60,10 @@ class Doors:
     def __init__(self, port: int, folder: Path) -> None:
         self._hosts = {f"{host}:{port}" for host in HOSTS} | (set(HOSTS) if port == 80 else set())
         self._folder = folder
-        self._files = {f"/{path.name}": path for path in (*PAGE.iterdir(), EDITOR) if path.suffix in KINDS}
+        files = (path for path in PAGE.rglob("*") if path.suffix in KINDS)
+        self._files = {f"/{path.relative_to(PAGE).as_posix()}": path for path in files}
+        if EDITOR.is_file():
+            self._files["/editor.js"] = EDITOR
 
     def stranger(self, request: Request) -> bool:
         """Whether a request comes from a page of elsewhere, or by a name that is not this machine's own."""
