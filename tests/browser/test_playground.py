@@ -1,14 +1,20 @@
-"""The script beside its face in Chromium: what is written is played, helped, kept and shared, and looks right to all."""
+"""The script beside its face in Chromium: what is written is played, helped, kept and shared."""
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
+from accessible import faults
 from chromium import Page
 from previewing import served
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin
 
 pytestmark = pytest.mark.xdist_group("playground")
 
@@ -24,21 +30,44 @@ addEventListener("error", (event) => wrong.push(String(event.message)));
 addEventListener("unhandledrejection", (event) => wrong.push(String(event.reason)));
 addEventListener("securitypolicyviolation", (event) => wrong.push(event.blockedURI + " " + event.violatedDirective));
 """
+CHOOSE = """
+(list => { list.value = "hello"; list.dispatchEvent(new Event("change")); })(
+  document.querySelector(".source-examples select"))
+"""
+UNBUILT = """
+const fetched = window.fetch;
+window.fetch = async (address) => {
+  const answer = await fetched(address);
+  if (address !== "playground.json") return answer;
+  return new Response(JSON.stringify({ ...await answer.json(), editor: false }));
+};
+"""
+SAID = "document.querySelector('.source-told').textContent"
 TEXT = "document.querySelector('.cm-content, .plain-text')"
 ENTER, ESCAPE, DOWN, HOME = ("Enter", 13), ("Escape", 27), ("ArrowDown", 40), ("Home", 36)
 CTRL = 2
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Page]:
+def address(editor: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The playground, with the editor that is built."""
+    with served(tmp_path_factory.mktemp("playground"), editor=editor) as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def page(address: str) -> Iterator[Page]:
     with Page("about:blank#", 1280, 800) as page:
         page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
+        opened(page, address)
+        until(page, "document.querySelector('.cm-face-time')")
         yield page
 
 
 def opened(page: Page, address: str) -> None:
     page.call("Page.navigate", url=address)
     until(page, f"{TEXT} && window.facescript.time.duration > 0")
+    page.run("facescript.link.on('script', (message) => { window.told = message; }); 0")
 
 
 def until(page: Page, script: str, seconds: float = 30.0) -> None:
@@ -47,10 +76,6 @@ def until(page: Page, script: str, seconds: float = 30.0) -> None:
     while not page.run(f"Boolean({script})"):
         assert time.monotonic() < end, f"never: {script}; wrong: {page.run('window.wrong')}"
         time.sleep(0.05)
-
-
-def said(page: Page) -> str:
-    return str(page.run("document.querySelector('.source-told').textContent"))
 
 
 def press(page: Page, key: tuple[str, int], modifiers: int = 0) -> None:
@@ -68,10 +93,27 @@ def typed(page: Page, text: str) -> None:
 
 
 def caret_to(page: Page, place: int) -> None:
-    page.run(
-        f"document.querySelector('#source-button').focus(), facescript.link.say('jump', {{from: {place}, to: {place}}})"
-    )
+    page.run(f"facescript.link.say('jump', {{from: {place}, to: {place}}}); {TEXT}.focus()")
+
+
+def written(page: Page, text: str) -> None:
+    """Waits until the server has a text."""
+    until(page, f"window.told?.text === {json.dumps(text)}")
+
+
+def elsewhere(page: Page, before: str, after: str) -> None:
+    """An edit that is not the editor's, as a dragged act makes it."""
+    edit = {"from": 0, "to": len(before), "text": after}
+    page.run(f"facescript.link.say('text', {{base: told.version, ...{json.dumps(edit)}}})")
+    written(page, after)
+
+
+def begun(page: Page) -> None:
+    """The script, whole in the editor, by hand."""
     page.run(f"{TEXT}.focus()")
+    press(page, ("a", 65), CTRL)
+    page.call("Input.insertText", text=SCRIPT)
+    written(page, SCRIPT)
 
 
 def quiet(page: Page) -> None:
@@ -80,123 +122,147 @@ def quiet(page: Page) -> None:
     assert page.run("performance.getEntriesByType('resource').every(({name}) => name.startsWith(location.origin))")
 
 
-@pytest.fixture(scope="module")
-def helped(browser: Page, editor: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Page, Path]]:
-    """A script of a file in the editor that is built, with its language server."""
-    folder = tmp_path_factory.mktemp("helped")
-    (folder / "talk.face").write_text(SCRIPT, "utf-8")
-    with served(folder, "talk.face", editor=editor) as address:
-        opened(browser, address)
-        until(browser, "document.querySelector('.cm-face-time')")
-        yield browser, folder / "talk.face"
-
-
-def kept(file: Path, text: str) -> None:
-    end = time.monotonic() + 10
-    while file.read_text("utf-8") != text:
-        assert time.monotonic() < end, file.read_text("utf-8")
-        time.sleep(0.05)
-
-
-def test_what_is_written_is_helped_mended_and_kept(helped: tuple[Page, Path]) -> None:
-    page, file = helped
-    caret_to(page, len(SCRIPT))
+def test_what_is_written_is_helped_and_mended(page: Page) -> None:
+    begun(page)
     typed(page, "    ada: shoow smile")
     until(page, "document.querySelector('.cm-lintRange-error')")
-    kept(file, SCRIPT + "    ada: shoow smile")
+    written(page, SCRIPT + "    ada: shoow smile")
     press(page, ESCAPE)
     press(page, ("F8", 119))
     until(page, "document.querySelector('.cm-diagnosticAction')")
     page.run("document.querySelector('.cm-diagnosticAction').click()")
-    kept(file, SCRIPT + "    ada: show smile")
+    written(page, SCRIPT + "    ada: show smile")
     until(page, "!document.querySelector('.cm-lintRange-error')")
     press(page, ("z", 90), CTRL)
-    kept(file, SCRIPT + "    ada: shoow smile")
+    written(page, SCRIPT + "    ada: shoow smile")
     press(page, ("z", 90), CTRL)
-    kept(file, SCRIPT)
+    written(page, SCRIPT)
 
 
-def test_it_offers_what_may_be_written(helped: tuple[Page, Path]) -> None:
-    page, file = helped
-    caret_to(page, len(SCRIPT))
+def test_it_offers_what_may_be_written(page: Page) -> None:
+    begun(page)
     typed(page, "    ada: sho")
     until(page, "document.querySelector('.cm-tooltip-autocomplete li[aria-selected]')?.textContent.startsWith('show')")
     time.sleep(0.2)  # an offer that has only just come is not taken
     press(page, ENTER)
-    kept(file, SCRIPT + "    ada: show")
+    written(page, SCRIPT + "    ada: show")
     press(page, ESCAPE)
-    file.write_text(SCRIPT, "utf-8")
-    until(page, f"{TEXT}.textContent.indexOf('show') < 0")
 
 
-def test_what_changes_elsewhere_shows_and_can_be_taken_back(helped: tuple[Page, Path]) -> None:
-    page, file = helped
+def test_what_changes_elsewhere_shows_and_can_be_taken_back(page: Page) -> None:
+    begun(page)
     caret_to(page, SCRIPT.index("nod"))
-    other = SCRIPT.replace("film 64x64", "film 128x128, seed 4")
-    file.write_text(other, "utf-8")
+    other = SCRIPT.replace("64x64", "64x64, seed 4")
+    elsewhere(page, SCRIPT, other)
     until(page, f"{TEXT}.textContent.includes('seed 4')")
     typed(page, "quick")
-    kept(file, other.replace("nod", "quicknod"))
+    written(page, other.replace("nod", "quicknod"))
     for _ in range(2):
         press(page, ("z", 90), CTRL)
-    kept(file, SCRIPT)
+    written(page, SCRIPT)
 
 
-def test_what_plays_is_lit(helped: tuple[Page, Path]) -> None:
-    page, _ = helped
-    version = page.run("facescript.picture.version")
-    place = SCRIPT.index("ada: nod")
-    detail = f"{{version: {version}, places: [{{from: {place}, to: {place + 8}}}]}}"
-    page.run(f"dispatchEvent(new CustomEvent('facescript-plays', {{detail: {detail}}}))")
+def test_what_plays_is_lit(page: Page) -> None:
+    begun(page)
+    until(page, "Math.abs(facescript.time.duration - 0.3) < 0.3")
+    page.run("facescript.time.seek(0.2)")
     lit = "[...document.querySelectorAll('.cm-face-lit')].map((line) => line.textContent.slice(0, 12)).join()"
     until(page, f"{lit} === '    ada: nod'")
+    page.run("facescript.time.seek(facescript.time.duration)")
+    until(page, f"{lit} === ''")
 
 
-def test_it_sends_no_key_of_its_own_to_the_player(helped: tuple[Page, Path]) -> None:
-    page, _ = helped
-    caret_to(page, len(SCRIPT))
+def test_its_keys_are_not_the_players(page: Page) -> None:
+    begun(page)
     typed(page, " ")
+    written(page, SCRIPT + " ")
     assert page.run("facescript.time.playing") is False
-    press(page, ("z", 90), CTRL)
-    quiet(page)
 
 
-@pytest.fixture(scope="module")
-def plain(browser: Page, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Page, Path]]:
-    """The playground where the editor was not built."""
-    folder = tmp_path_factory.mktemp("plain")
-    with served(folder) as address:
-        opened(browser, address)
-        yield browser, folder
-
-
-def test_examples_and_sharing(plain: tuple[Page, Path]) -> None:
-    page, folder = plain
-    assert "make playground" in page.run("document.querySelector('.source-note').textContent")
-    page.run(
-        "(list => { list.value = 'hello'; list.dispatchEvent(new Event('change')); })(document.querySelector('.source-examples select'))"
-    )
-    until(page, "facescript.time.duration < 2")
-    assert page.run(f"{TEXT}.value") == 'say "Hello."\n'
-    page.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+def test_examples_and_sharing(page: Page, tmp_path: Path) -> None:
+    page.run(CHOOSE)
+    written(page, 'say "Hello."\n')
+    page.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(tmp_path))
     page.run("document.querySelector('[data-share]').click()")
-    until(page, "document.querySelector('.source-told').textContent.startsWith('Shared')")
-    end = time.monotonic() + 10
-    while not (folder / "hello.html").is_file():
-        assert time.monotonic() < end
-        time.sleep(0.05)
-    assert "say &quot;Hello.&quot;\n</pre>" in (folder / "hello.html").read_text("utf-8")
-    page.run(f"{TEXT}.focus()")
-    press(page, ("a", 65), CTRL)
-    typed(page, "ada: shw")
-    until(page, "document.querySelector('#faults').textContent.includes('FS')")
+    until(page, f"{SAID}.startsWith('Shared')")
+    found(tmp_path / "hello.html")
+    assert "say &quot;Hello.&quot;\n</pre>" in (tmp_path / "hello.html").read_text("utf-8")
+    begun(page)
+    typed(page, "    ada: shw")
     page.run("document.querySelector('[data-share]').click()")
-    until(page, "document.querySelector('.source-told').textContent.startsWith('Not shared: the script has an error')")
+    until(page, f"{SAID}.startsWith('Not shared: the script has an error')")
     press(page, ("s", 83), CTRL)
-    while not (folder / "hello.face").is_file():
-        assert time.monotonic() < end
-        time.sleep(0.05)
+    found(tmp_path / "hello.face")
     quiet(page)
+
+
+def found(file: Path) -> None:
+    end = time.monotonic() + 10
+    while not file.is_file():
+        assert time.monotonic() < end, file.name
+        time.sleep(0.05)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_everybody_can_use_it(page: Page, scheme: str) -> None:
+    page.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+    assert faults(page) == []
+
+
+def test_a_plain_field_does_the_same(page: Page, address: str) -> None:
+    added = page.call("Page.addScriptToEvaluateOnNewDocument", source=UNBUILT)
+    opened(page, address)
+    page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=added["identifier"])
+    assert "make playground" in page.run("document.querySelector('.source-note').textContent")
+    page.run(CHOOSE)
+    begun(page)
+    caret_to(page, SCRIPT.index("nod"))
+    other = SCRIPT.replace("64x64", "64x64, seed 4")
+    elsewhere(page, SCRIPT, other)
+    typed(page, "quick")
+    written(page, other.replace("nod", "quicknod"))
+    assert faults(page) == []
+    quiet(page)
+
+
+def test_strangers_nonsense_and_floods_leave_it_as_it_is(page: Page, address: str) -> None:
+    place = address.replace("http", "ws") + "lsp"
+    with pytest.raises(InvalidStatus, match="403"):
+        connect(place, origin=Origin("http://example.org"))
+    with connect(place) as other:
+        other.send('{"text": "' + "x" * 50_000_000 + '"}')
+        with pytest.raises(ConnectionClosed):
+            other.recv(timeout=30)
+    uri = "file:///there/is/none.face"
+    with connect(place) as other:
+        ask(other, 1, "initialize", {"processId": None, "rootUri": None, "capabilities": {}})
+        document = {"uri": uri, "languageId": "face", "version": 0, "text": SCRIPT}
+        tell(other, "textDocument/didOpen", {"textDocument": document})
+        for number in range(1000):
+            changes = [{"text": SCRIPT + "#" * (number % 7)}]
+            tell(
+                other,
+                "textDocument/didChange",
+                {"textDocument": {"uri": uri, "version": number}, "contentChanges": changes},
+            )
+        where = {"textDocument": {"uri": uri}, "position": {"line": 3, "character": 10}}
+        assert "nod" in ask(other, 2, "textDocument/hover", where)["result"]["contents"]["value"]
+        assert "error" in ask(other, 3, "textDocument/nonsense", {})
+    begun(page)
+    quiet(page)
+
+
+def tell(connection: ClientConnection, method: str, parameters: object) -> None:
+    connection.send(json.dumps({"jsonrpc": "2.0", "method": method, "params": parameters}))
+
+
+def ask(connection: ClientConnection, number: int, method: str, parameters: object) -> Any:
+    """The answer to a request."""
+    connection.send(json.dumps({"jsonrpc": "2.0", "id": number, "method": method, "params": parameters}))
+    while True:
+        found = json.loads(connection.recv(timeout=60))
+        if found.get("id") == number:
+            return found
 
 
 TWO_WRITERS = """
@@ -237,7 +303,6 @@ TWO_WRITERS = """
 """
 
 
-def test_two_who_write_at_once_end_with_one_text(plain: tuple[Page, Path]) -> None:
-    page, _ = plain
-    found = [page.run(TWO_WRITERS.replace("SEED", str(seed))) for seed in range(1, 40)]
-    assert all(same and settled for same, settled, _ in found)
+def test_two_who_write_at_once_end_with_one_text(page: Page) -> None:
+    ends = [page.run(TWO_WRITERS.replace("SEED", str(seed))) for seed in range(1, 40)]
+    assert all(same and settled for same, settled, _ in ends)

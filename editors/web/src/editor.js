@@ -51,7 +51,7 @@ export class Editor {
     const extensions = [
       saving, outfit, listener, this.#helped.of([]),
       EditorState.readOnly.of(!editable), EditorView.editable.of(editable),
-      EditorView.contentAttributes.of({ "aria-label": label }),
+      EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
     ];
     this.#view = new EditorView({ state: EditorState.create({ doc: text, extensions }), parent: place });
   }

@@ -20,7 +20,7 @@ time.watch((now) => one("face").classList.toggle("waiting", !picture.draw(now)))
 controls(time, one("controls"));
 const line = new Timeline(one("timeline"), link, time);
 faults(link, one("faults"), line.tools.place, jump);
-source(link, one("source"), one("source-button"), () => time.seek(0));
+source(link, one("source"), one("source-button"), time);
 
 link.on("state", ({ state }) => {
   one("state").textContent = state === "connected" ? "" : "the server is gone; looking for it";

@@ -4,17 +4,19 @@ import { Shared } from "./edits.js";
 import { PlainEditor } from "./plain.js";
 
 const PAUSE = 150;  // ms without a key until what was written is sent
+const SHORTEST = 0.15;  // s that what takes no time is lit
+const KEPT = ["script", "diagnostics", "score"];  // messages that say how things are until the next of their kind
 const UNBUILT = "A plain text field: colours and help come with the editor that `make playground` builds.";
 
-// In `place`, told by `link`; `button` shows and hides it, `begin()` goes to the film's beginning.
-export async function source(link, place, button, begin) {
+// In `place`, told by `link`; `button` shows and hides it, `time` is the film's clock.
+export async function source(link, place, button, time) {
   const asked = fetch("playground.json").then((answer) => answer.json());
   const latest = new Map();
-  for (const kind of ["script", "diagnostics"]) link.on(kind, (message) => latest.set(kind, message));
+  for (const kind of KEPT) link.on(kind, (message) => latest.set(kind, message));
   const script = await new Promise((found) => { link.on("script", found); });
   const { editor, examples } = await asked;
   const made = editor ? (await import("./editor.js")).Editor : PlainEditor;
-  return new Source({ link, place, button, begin, made, examples, built: editor, script: latest.get("script") ?? script, latest });
+  return new Source({ link, place, button, time, made, examples, built: editor, script: latest.get("script") ?? script, latest });
 }
 
 class Source {
@@ -22,9 +24,11 @@ class Source {
   #helps = "";
   #timer;
   #version = 0;
+  #acts = { version: -1, acts: [] };
+  #lit = null;
 
-  constructor({ link, place, button, begin, made, examples, built, script, latest }) {
-    Object.assign(this, { link, place, button, begin, script, name: stem(script.name) });
+  constructor({ link, place, button, time, made, examples, built, script, latest }) {
+    Object.assign(this, { link, place, button, time, script, name: stem(script.name) });
     this.#furnish(examples, built);
     this.editor = new made(this.text, {
       text: script.text, label: `Script ${script.name}`, editable: script.writable,
@@ -39,6 +43,7 @@ class Source {
     this.#listen();
     this.#heard(script);
     if (latest.has("diagnostics")) this.#faults(latest.get("diagnostics"));
+    if (latest.has("score")) this.#scored(latest.get("score"));
   }
 
   #furnish(examples, built) {
@@ -82,9 +87,8 @@ class Source {
       this.#say("Shared: one page, with the script in it, lies among your downloads.");
     });
     link.on("said jump", ({ from, to }) => this.editor.show(from, to, false));
-    addEventListener("facescript-plays", ({ detail: { version, places } }) => {
-      if (version === this.#version && this.shared.settled) this.editor.light(places.map(({ from, to }) => [from, to]));
-    });
+    link.on("score", (score) => this.#scored(score));
+    this.time.watch((now) => this.#light(now));
   }
 
   #heard(script) {
@@ -106,6 +110,22 @@ class Source {
     if (this.#helps !== "there") this.editor.faults(items.filter((item) => item.start !== undefined));
   }
 
+  #scored({ version, acts, lanes }) {
+    this.#acts = { version, acts: acts.filter(({ from, lane }) => from !== undefined && lanes[lane].name !== "life") };
+    this.#lit = null;
+    this.#light(this.time.now());
+  }
+
+  // Lights what is being done at a time, while the text is the one that it is known of.
+  #light(now) {
+    const { version, acts } = this.#acts;
+    const known = version === this.#version && this.shared.settled;
+    if (!known && !this.time.playing) return;  // the marks go with their lines
+    const doing = ({ start, settled }) => start <= now && now < Math.max(settled, start + SHORTEST);
+    const stretches = known ? acts.filter(doing).map(({ from, to }) => [from, to]) : [], key = stretches.join(" ");
+    if (key !== this.#lit) this.#lit = key, this.editor.light(stretches);
+  }
+
   #later(pause) {
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.shared.flush(), pause);
@@ -122,7 +142,7 @@ class Source {
     this.editor.replace(0, this.editor.text.length, text);
     this.editor.show(0, 0, true);
     this.name = name;
-    this.begin();
+    this.time.seek(0);
     this.shared.flush();
   }
 
