@@ -9,10 +9,13 @@ from pathlib import Path
 from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
-from facescript.backends.page.document import resource
+from facescript.backends import page as output
 from facescript.preview.examples import playground
 
 PAGE = Path(__file__).with_name("page")
+
+DRAWING = Path(output.__path__[0]) / "drawing.js"
+"""What `.html` outputs draw with; the page takes it as a module."""
 
 KINDS = {
     ".html": "text/html; charset=utf-8",
@@ -76,7 +79,7 @@ class Doors:
         """The answer to a request that is for no WebSocket."""
         path = request.path.partition("?")[0]
         if path == "/drawing.js":
-            return _found((resource("drawing.js") + "\nexport { drawing };\n").encode(), KINDS[".js"])
+            return _found(DRAWING.read_bytes() + b"\nexport { drawing };\n", KINDS[".js"])
         if path == "/playground.json":
             return _found(playground(EDITOR.is_file()), KINDS[".json"])
         shared = SHARED.fullmatch(path)

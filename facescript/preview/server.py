@@ -261,6 +261,7 @@ async def run(paper: Paper, world: World, name: str, port: int, told: Callable[[
             max_queue=16,
             compression=None,
             open_timeout=5.0,
+            close_timeout=1.0,
         ) as server:
             bound = next(iter(server.sockets)).getsockname()[1]
             doors.append(Doors(bound, folder))

@@ -5,18 +5,33 @@ import { PlainEditor } from "./plain.js";
 
 const PAUSE = 150;  // ms without a key until what was written is sent
 const SHORTEST = 0.15;  // s that what takes no time is lit
-const KEPT = ["script", "diagnostics", "score"];  // messages that say how things are until the next of their kind
+const WIDE = 900;  // pixels of a window that has room for both
 const UNBUILT = "A plain text field: colours and help come with the editor that `make playground` builds.";
 
-// In `place`, told by `link`; `button` shows and hides it, `time` is the film's clock.
-export async function source(link, place, button, time) {
-  const asked = fetch("playground.json").then((answer) => answer.json());
+// In `place`, told by `link`; `button` shows and hides it, `time` is the film's clock. The editor is made, and a language
+// server asked for, when the script is shown for the first time.
+export function source(link, place, button, time) {
   const latest = new Map();
-  for (const kind of KEPT) link.on(kind, (message) => latest.set(kind, message));
-  const script = await new Promise((found) => { link.on("script", found); });
-  const { editor, examples } = await asked;
-  const made = editor ? (await import("./editor.js")).Editor : PlainEditor;
-  return new Source({ link, place, button, time, made, examples, built: editor, script: latest.get("script") ?? script, latest });
+  let opened = null;
+
+  async function open() {
+    const { editor, examples } = await (await fetch("playground.json")).json();
+    const made = editor ? (await import("./editor.js")).Editor : PlainEditor;
+    return new Source({ link, place, time, made, examples, built: editor, latest });
+  }
+
+  function show(shown) {
+    place.hidden = !shown;
+    button.setAttribute("aria-expanded", String(shown));
+    if (shown) opened ??= open();
+  }
+
+  for (const kind of ["script", "diagnostics", "score"]) link.on(kind, (message) => latest.set(kind, message));
+  link.on("script", ({ scratch }) => {
+    if (button.hidden) show(scratch || innerWidth > WIDE);
+    button.hidden = false;
+  });
+  button.addEventListener("click", () => show(place.hidden));
 }
 
 class Source {
@@ -27,8 +42,9 @@ class Source {
   #acts = { version: -1, acts: [] };
   #lit = null;
 
-  constructor({ link, place, button, time, made, examples, built, script, latest }) {
-    Object.assign(this, { link, place, button, time, script, name: stem(script.name) });
+  constructor({ link, place, time, made, examples, built, latest }) {
+    const script = latest.get("script");
+    Object.assign(this, { link, place, time, script, name: stem(script.name) });
     this.#furnish(examples, built);
     this.editor = new made(this.text, {
       text: script.text, label: `Script ${script.name}`, editable: script.writable,
@@ -69,9 +85,6 @@ class Source {
     one("[data-keep]").addEventListener("click", () => this.#download());
     if (!built) this.text.after(Object.assign(document.createElement("p"), { className: "source-note", textContent: UNBUILT }));
     if (!writable) this.#say("It came from standard input and stays as it is.");
-    this.button.addEventListener("click", () => this.#show(this.place.hidden));
-    this.button.hidden = false;
-    this.#show(scratch || innerWidth > 900);
   }
 
   #listen() {
@@ -156,11 +169,6 @@ class Source {
     const url = URL.createObjectURL(new Blob([this.editor.text], { type: "text/plain" }));
     keep(url, `${this.name}.face`);
     setTimeout(() => URL.revokeObjectURL(url), 10000);
-  }
-
-  #show(shown) {
-    this.place.hidden = !shown;
-    this.button.setAttribute("aria-expanded", String(shown));
   }
 
   #say(text) {

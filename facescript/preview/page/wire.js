@@ -3,8 +3,8 @@
 const QUICKEST = 250, SLOWEST = 4000;  // ms until it is tried again
 
 // A wire: `on(kind, act)` calls `act` with each message of a kind, `say(kind, values)` sends one, which listeners on
-// "said KIND" hear too; `tell(kind, message)` tells listeners as if the server had said it; `state` is told of
-// "connected" and "lost". A message with numbers has them as `numbers`, a Float32Array.
+// "said KIND" hear too; `tell(kind, message)` tells listeners as if the server had said it, `drop()` lets go of the
+// socket; `state` is told of "connected" and "lost". A message with numbers has them as `numbers`, a Float32Array.
 export function wire(address) {
   const listeners = new Map();
   let socket, pause = QUICKEST;
@@ -28,6 +28,7 @@ export function wire(address) {
 
   return {
     open,
+    drop() { socket.close(); },
     on(kind, act) { listeners.set(kind, [...listeners.get(kind) || [], act]); },
     tell: emit,
     say(kind, values = {}) {
