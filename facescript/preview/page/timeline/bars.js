@@ -4,6 +4,7 @@ import { fit, width } from "./text.js";
 import { tint } from "./theme.js";
 
 export const NARROW = 3;  // a bar is at least so wide, px; where several stand closer, the first stands for them
+const SMALL = 8;  // a bar is drawn without slopes and edges below this, px: thousands of them must be drawn at once
 const DASHED = 16;  // a bar is so wide, px, where its edge is dashed because its times are estimates
 const ROOM = 5;  // pixels from a bar's edge to its text
 
@@ -17,6 +18,12 @@ export function bars(context, view, strip) {
     if (right - left <= NARROW && left < (until[act.row] ?? -Infinity)) continue;
     until[act.row] = right + 1;
     const top = topOf(strip, act);
+    if (right - left < SMALL && act.end > act.start) {
+      context.fillStyle = tint(strip.lane.colour, theme, 0.45);
+      context.fillRect(left, top, right - left - 0.5, strip.bar);
+      phrase(context, view, strip, act);
+      continue;
+    }
     outline(context, axis, act, top, strip.bar);
     context.fillStyle = tint(strip.lane.colour, theme, act.end > act.start ? 0.22 : 0.9);
     context.fill();
