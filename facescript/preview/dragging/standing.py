@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from facescript.syntax import tree
@@ -41,11 +41,25 @@ class Level:
     @property
     def before(self) -> Unit | None:
         """What it follows in its sequence; what stands at a moment moves nothing on."""
-        return next((unit for unit in reversed(self.body[: self.index]) if _moves_on(unit)), None)
+        return self._next(reversed(self.body[: self.index]))
 
     @property
     def after(self) -> Unit | None:
-        return next((unit for unit in self.body[self.index + 1 :] if _moves_on(unit)), None)
+        """What follows it in its sequence."""
+        return self._next(self.body[self.index + 1 :])
+
+    @property
+    def apart(self) -> bool:
+        """Whether it follows none of its block: it starts with the others, or the seed chooses one."""
+        return isinstance(self.block, tree.Group) and self.block.kind != "in turn"
+
+    @property
+    def beside(self) -> bool:
+        """Whether it starts with all others of its block."""
+        return isinstance(self.block, tree.Group) and self.block.kind == "together"
+
+    def _next(self, units: Iterable[Unit]) -> Unit | None:
+        return None if self.apart else next((unit for unit in units if _moves_on(unit)), None)
 
 
 def _moves_on(unit: Unit) -> bool:

@@ -46,14 +46,13 @@ class Starts:
         passed: list[Level] = []
         for level in self.standing.levels:
             passed.append(level)
-            before = None if _apart(level) else level.before
-            if before is not None:
-                yield from self._behind(passed, before)
+            if level.before is not None:
+                yield from self._behind(passed, level.before)
                 return
             if isinstance(level.block, tree.Moment):
                 yield self._moment(level.block.time)
                 return
-            if not isinstance(level.block, tree.Cast | tree.Group) or _beside(level):
+            if not isinstance(level.block, tree.Cast | tree.Group) or level.beside:
                 yield from self._first(passed)
                 return
 
@@ -75,7 +74,7 @@ class Starts:
     def _first(self, passed: list[Level]) -> Iterator[Way]:
         """The ways of what comes first in its block."""
         block = passed[-1].block
-        beside = _beside(passed[-1])
+        beside = passed[-1].beside
         if isinstance(block, tree.On) and margin(self.source, self.standing.act) is None:
             raise Stuck(f"it starts on the word “{block.word.value}” of the line above it: change that in the text.")
         inside = passed[:-1] if beside else passed
@@ -111,7 +110,7 @@ class Starts:
 
     def _can_wait(self, level: Level) -> bool:
         """Whether a line with a `wait` can stand before what stands here."""
-        return not _apart(level) and margin(self.source, level.unit) is not None
+        return not level.apart and margin(self.source, level.unit) is not None
 
     def _before(self, unit: tree.Item | tree.On, spaces: str) -> Way:
         speaks = _verb(self.standing.act) == "say"
@@ -158,16 +157,6 @@ class Starts:
 
     def _line(self, unit: tree.Item | tree.On) -> int:
         return self.source.position(unit.span.start)[0]
-
-
-def _beside(level: Level) -> bool:
-    """Whether a statement starts with all others of its block."""
-    return isinstance(level.block, tree.Group) and level.block.kind == "together"
-
-
-def _apart(level: Level) -> bool:
-    """Whether a statement follows none of its block: it is beside them, or the seed chooses one."""
-    return isinstance(level.block, tree.Group) and level.block.kind != "in turn"
 
 
 def _verb(act: tree.Act) -> str:
