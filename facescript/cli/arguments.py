@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from dataclasses import dataclass
 
-LATER = ("preview", "live")
+LATER = ("live",)
 """Commands of the language's design that this version refuses by name."""
 
 SPHINX, VOICE = "pocketsphinx", "voice"
@@ -127,6 +127,12 @@ def _lsp(parser: argparse.ArgumentParser) -> None:
     ways.add_argument("--ws", type=int, metavar="PORT", help="the same over WebSocket")
 
 
+def _preview(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("script", metavar="SCRIPT", help="a .face file, a play in .json, or - for standard input")
+    parser.add_argument("--port", metavar="N", help="the port of this machine, where the page is; else a free one")
+    parser.add_argument("--open", action="store_true", help="show the page in the browser")
+
+
 COMMANDS = {
     "align": Command("align", "find when the words of a text are said in a recording", _align),
     "build": Command("build", "make films, pictures, tables and sound from a script", _build),
@@ -137,6 +143,9 @@ COMMANDS = {
     "list": Command("list", "list what there is: faces, expressions, voices, ...", _list),
     "new": Command("new", "write a starter script", _new),
     "plot": Command("plot", "draw what is done when, over the curves of what moves", _plot),
+    "preview": Command(
+        "preview", "show a script as a page that follows each save: the face, and its timeline", _preview
+    ),
     "sheet": Command(
         "sheet", "draw faces with all that they can show: expressions, shapes of the mouth, turns", _sheet
     ),

@@ -1,1 +1,1 @@
-"""A script to a page that plays it beside its text, and follows both as they change."""
+"""A script that is being written to a page on this machine: the face beside the text, and the time it takes below."""

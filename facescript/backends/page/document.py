@@ -79,7 +79,8 @@ def placeholders(job: Job, said: Sequence[Line]) -> dict[str, str]:
 
 def assembled(job: Job, template: str, parts: Mapping[str, str], folder: str = "", scripts: Sequence[str] = ()) -> Page:
     """A template with its placeholders' `parts`, the player, further `scripts`, and the film they play."""
-    script = f'(() => {{\n"use strict";\n{resource("face.js")}\n{resource("player.js")}\n}})();\n'
+    player = "\n".join(resource(name) for name in ("drawing.js", "face.js", "player.js"))
+    script = f'(() => {{\n"use strict";\n{player}\n}})();\n'
     moved = motion(job)
     film = {
         **figure(job.stage, moved),

@@ -1,0 +1,106 @@
+"""A request to what it gets: the page's own files and its sound, and nothing for who comes from elsewhere."""
+
+from __future__ import annotations
+
+import re
+from http import HTTPStatus
+from pathlib import Path
+
+from websockets.datastructures import Headers
+from websockets.http11 import Request, Response
+
+from facescript.backends.page.document import resource
+
+PAGE = Path(__file__).with_name("page")
+
+KINDS = {
+    ".html": "text/html; charset=utf-8",
+    ".css": "text/css; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".svg": "image/svg+xml",
+}
+
+LIVE = "/live"
+"""Where the page's WebSocket is."""
+
+HOSTS = ("127.0.0.1", "localhost", "[::1]")
+
+RULE = (
+    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; media-src 'self'; "
+    "font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+
+HEADERS = {
+    "Content-Security-Policy": RULE,
+    "X-Content-Type-Options": "nosniff",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-store",
+}
+
+SOUND = re.compile(r"/sound/(\d{1,10}-\d{1,10}\.wav)", re.ASCII)
+
+RANGE = re.compile(r"bytes=(\d{1,15})-(\d{0,15})", re.ASCII)
+
+STRETCH = 4 * 1024 * 1024
+"""Bytes of a sound that one answer has, at most; a browser asks for the rest."""
+
+
+class Doors:
+    """The doors of a server at `port`; its sound lies in `folder`."""
+
+    def __init__(self, port: int, folder: Path) -> None:
+        self._hosts = {f"{host}:{port}" for host in HOSTS} | (set(HOSTS) if port == 80 else set())
+        self._folder = folder
+        self._files = {f"/{path.name}": path for path in PAGE.iterdir() if path.suffix in KINDS}
+
+    def stranger(self, request: Request) -> bool:
+        """Whether a request comes from a page of elsewhere, or by a name that is not this machine's own."""
+        hosts, origins = request.headers.get_all("Host"), request.headers.get_all("Origin")
+        if len(hosts) != 1 or hosts[0].lower() not in self._hosts:
+            return True
+        return any(origin.lower() not in {f"http://{host}" for host in self._hosts} for origin in origins)
+
+    def answer(self, request: Request) -> Response:
+        """The answer to a request that is for no WebSocket."""
+        path = request.path.partition("?")[0]
+        if path == "/drawing.js":
+            return _found((resource("drawing.js") + "\nexport { drawing };\n").encode(), KINDS[".js"])
+        sound = SOUND.fullmatch(path)
+        if sound is not None:
+            return self._sound(self._folder / sound[1], request)
+        file = self._files.get("/index.html" if path == "/" else path)
+        return refused(HTTPStatus.NOT_FOUND) if file is None else _found(file.read_bytes(), KINDS[file.suffix])
+
+    def _sound(self, path: Path, request: Request) -> Response:
+        """A stretch of a sound, or where none is asked for all of it."""
+        try:
+            size = path.stat().st_size
+            with path.open("rb") as file:
+                asked = RANGE.fullmatch(request.headers.get("Range", ""))
+                if asked is None:
+                    return _found(file.read(), "audio/wav")
+                first = int(asked[1])
+                last = min(int(asked[2] or size - 1), size - 1, first + STRETCH - 1)
+                if first > last:
+                    return refused(HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE)
+                file.seek(first)
+                body = file.read(last - first + 1)
+        except OSError:
+            return refused(HTTPStatus.NOT_FOUND)
+        answer = _found(body, "audio/wav", HTTPStatus.PARTIAL_CONTENT)
+        answer.headers["Content-Range"] = f"bytes {first}-{last}/{size}"
+        return answer
+
+
+def refused(status: HTTPStatus) -> Response:
+    """An answer that gives nothing."""
+    return _found(f"{status.phrase}\n".encode(), "text/plain; charset=utf-8", status)
+
+
+def _found(body: bytes, kind: str, status: HTTPStatus = HTTPStatus.OK) -> Response:
+    headers = Headers(HEADERS)
+    headers["Content-Type"], headers["Content-Length"] = kind, str(len(body))
+    headers["Accept-Ranges"], headers["Connection"] = "bytes", "close"
+    return Response(status.value, status.phrase, headers, body)

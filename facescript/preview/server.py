@@ -1,0 +1,269 @@
+"""A script on a disk to a page of this machine that shows it as it changes: the server, and who talks to whom."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import signal
+import tempfile
+import time
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from http import HTTPStatus
+from pathlib import Path
+
+from websockets.asyncio.server import ServerConnection, serve
+from websockets.exceptions import ConnectionClosed
+from websockets.http11 import Request, Response
+
+from facescript.preview.board import Board
+from facescript.preview.doors import LIVE, Doors, refused
+from facescript.preview.messages import Message, head_of, is_text, text
+from facescript.preview.paper import Edit, Paper, Refusal
+from facescript.preview.watch import changes
+from facescript.preview.workshop import Workshop
+from facescript.world import LARGEST_SCRIPT, World, WorldFailure
+
+LOOPBACK = "127.0.0.1"
+
+USUAL = 3223
+"""The port where none is asked for: FACE on a telephone. Where it is taken, any other will do."""
+
+PAGES = 8
+"""Pages that may be open at once."""
+
+QUICKEST = 200
+"""Messages a second from a page, over a few seconds."""
+
+BEHIND = 256 << 20
+"""Bytes that wait for a page that does not read them, at most; then it has to come again."""
+
+AGAIN = 1.0
+"""Seconds until a process that ended is begun again."""
+
+Number = (int, float)
+TAKEN: Mapping[str, Mapping[str, tuple[type, ...]]] = {
+    "playhead": {"time": Number, "playing": (bool,)},
+    "text": {"base": (int,), "from": (int,), "to": (int,), "text": (str,)},
+    "curves": {"face": (str,), "channels": (list,)},
+    "undo": {},
+}
+"""What a page may say: the kinds, and what belongs to each."""
+
+
+class Guest:
+    """A page: what waits to be sent to it, and how often it speaks."""
+
+    def __init__(self, connection: ServerConnection, waiting: Iterable[bytes]) -> None:
+        self._connection = connection
+        self._waiting = asyncio.Queue[bytes]()
+        self._size = 0
+        self._left, self._since = float(QUICKEST), time.monotonic()
+        for message in waiting:
+            self.tell(message)
+
+    def tell(self, message: bytes) -> None:
+        """Sends a message in its turn; never waits."""
+        self._size += len(message)
+        if self._size > BEHIND:
+            self._connection.transport.abort()
+            return
+        self._waiting.put_nowait(message)
+
+    async def send(self) -> None:
+        """Sends what waits, until the page is gone."""
+        with suppress(ConnectionClosed):
+            while True:
+                message = await self._waiting.get()
+                await self._connection.send(message, text=is_text(message))
+                self._size -= len(message)
+
+    def floods(self) -> bool:
+        """Whether a page has said more than it has cause to; counts what it says now."""
+        now = time.monotonic()
+        self._left = min(self._left + (now - self._since) * QUICKEST, 4.0 * QUICKEST) - 1
+        self._since = now
+        return self._left < 0
+
+
+class Preview:
+    """The pages of one script: `name` is its path in the project `world`."""
+
+    def __init__(self, paper: Paper, world: World, name: str, folder: Path) -> None:
+        self._paper, self._world, self._name, self._folder = paper, world, name, folder
+        self._board, self._guests = Board(), set[Guest]()
+        self._used: list[str] = []
+        self._loop = asyncio.get_running_loop()
+        self._workshop = self._opened()
+        self.publish()
+
+    def publish(self) -> None:
+        """The script is another now: pages and workshop are told."""
+        paper = self._paper
+        about = {"version": paper.version, "text": paper.text}
+        self._tell(text("script", name=self._name, writable=paper.path is not None, **about))
+        self._workshop.tell({"kind": "text", **about})
+
+    async def watch(self) -> None:
+        """Follows the files of the script for ever."""
+        async for changed in changes(self._files):
+            if not self._paper.read():
+                if not changed - {self._paper.path}:
+                    continue
+                self._paper.version += 1
+            self.publish()
+
+    async def receive(self, connection: ServerConnection) -> None:
+        """One page, from its first word to its last."""
+        guest = Guest(connection, self._board.all())
+        self._guests.add(guest)
+        sending = asyncio.create_task(guest.send())
+        try:
+            async for said in connection:
+                if guest.floods():
+                    await connection.close(1008, "too many messages")
+                    return
+                self._take(guest, said)
+        except ConnectionClosed:
+            pass
+        finally:
+            self._guests.discard(guest)
+            sending.cancel()
+
+    @property
+    def full(self) -> bool:
+        """Whether no further page may come."""
+        return len(self._guests) >= PAGES
+
+    def close(self) -> None:
+        self._workshop.close()
+
+    def _opened(self) -> Workshop:
+        """A workshop, whose messages come here in the server's own thread."""
+
+        def soon(act: Callable[..., None], *values: object) -> None:
+            with suppress(RuntimeError):  # the server ends
+                self._loop.call_soon_threadsafe(act, *values)
+
+        return Workshop(
+            self._world.root, self._name, self._folder, lambda made: soon(self._made, made), lambda: soon(self._ended)
+        )
+
+    def _ended(self) -> None:
+        """The workshop's process is gone, as when memory runs out: another begins."""
+        self._loop.call_later(AGAIN, self._begin_again)
+
+    def _begin_again(self) -> None:
+        self._workshop = self._opened()
+        self.publish()
+
+    def _made(self, message: bytes) -> None:
+        """Takes what the workshop has made."""
+        head = head_of(message) if message[:16] == USED else None
+        if head is not None:
+            self._used = [str(name) for name in head["files"]]  # type: ignore[attr-defined]
+            return
+        self._tell(message)
+
+    def _tell(self, message: bytes) -> None:
+        self._board.take(message)
+        for guest in self._guests:
+            guest.tell(message)
+
+    def _files(self) -> Iterable[Path]:
+        """The script's file and those that it uses."""
+        if self._paper.path is not None:
+            yield self._paper.path
+        for name in self._used:
+            with suppress(WorldFailure):
+                yield self._world.path(name)
+
+    def _take(self, guest: Guest, said: str | bytes) -> None:
+        """What a page says; nonsense is passed over, but told."""
+        message = understood(said)
+        if message is None:
+            guest.tell(text("refused", what="", why="it is no message of this page"))
+            return
+        kind = message["kind"]
+        if kind not in ("text", "undo"):
+            self._workshop.tell(message)
+            return
+        try:
+            edit = self._paper.undo() if kind == "undo" else self._edited(message)
+        except Refusal as fault:
+            guest.tell(text("refused", what=kind, why=fault.args[0]))
+            return
+        self._tell(text("edited", **{"from": edit.first, "to": edit.last, "text": edit.text}))
+        self.publish()
+
+    def _edited(self, message: Message) -> Edit:
+        """Makes an edit that a page asks for. Raises `Refusal`."""
+        base, first, last, new = (message[name] for name in ("base", "from", "to", "text"))
+        edit = Edit(first, last, new)  # type: ignore[arg-type]
+        self._paper.edit(base, edit)  # type: ignore[arg-type]
+        return edit
+
+
+USED = text("used", files=[])[:16]
+
+
+def understood(said: str | bytes) -> Message | None:
+    """A message of a page, if it is one."""
+    try:
+        message = json.loads(said) if isinstance(said, str) else None
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(message, dict):
+        return None
+    wanted = TAKEN.get(str(message.get("kind")))
+    if wanted is None or not all(type(message.get(name)) in types for name, types in wanted.items()):
+        return None
+    return {name: message[name] for name in ("kind", *wanted)}
+
+
+async def run(paper: Paper, world: World, name: str, port: int, told: Callable[[str], None]) -> None:
+    """Serves until the process is told to end; `told` gets the address. Raises `OSError` where the port is taken."""
+    with tempfile.TemporaryDirectory(prefix="facescript-") as made:
+        folder = Path(made)
+        doors: list[Doors] = []
+        pages: list[Preview] = []
+
+        def request(connection: ServerConnection, asked: Request) -> Response | None:
+            if doors[0].stranger(asked):
+                return refused(HTTPStatus.FORBIDDEN)
+            if asked.path != LIVE:
+                return doors[0].answer(asked)
+            return refused(HTTPStatus.SERVICE_UNAVAILABLE) if pages[0].full else None
+
+        async def receive(connection: ServerConnection) -> None:
+            await pages[0].receive(connection)
+
+        async with serve(
+            receive,
+            LOOPBACK,
+            port,
+            process_request=request,
+            max_size=2 * LARGEST_SCRIPT,
+            max_queue=16,
+            compression=None,
+            open_timeout=5.0,
+        ) as server:
+            bound = next(iter(server.sockets)).getsockname()[1]
+            doors.append(Doors(bound, folder))
+            pages.append(Preview(paper, world, name, folder))
+            watching = asyncio.create_task(pages[0].watch())
+            told(f"http://{LOOPBACK}:{bound}/")
+            try:
+                await _interrupted()
+            finally:
+                watching.cancel()
+                pages[0].close()
+
+
+async def _interrupted() -> None:
+    """Waits until the process is told to end."""
+    ended = asyncio.Event()
+    with suppress(NotImplementedError):  # on Windows an interrupt comes as an exception
+        for number in (signal.SIGINT, signal.SIGTERM):
+            asyncio.get_running_loop().add_signal_handler(number, ended.set)
+    await ended.wait()
