@@ -26,6 +26,9 @@ ROUNDS = 4
 """How often an edit is made anew with what was missing to the asked time: a `wait` takes a pause's place, a look takes
 as long as eyes have to go."""
 
+BASE = {"%": "1", "m": "cm"}
+"""What values are in, by the unit that they are written in."""
+
 Again = Callable[[str], Compiled]
 """Another text of the script, compiled. It must leave what was compiled before as it is."""
 
@@ -54,8 +57,8 @@ class Drags:
     def handles(self, act: TimedAct) -> dict[str, Range]:
         """The handles of an act that may be dragged, each with the `least` and `most` that it may come to.
 
-        Those are seconds from the film's start; of `degree` they are 1 for 100 %, or degrees or centimetres where its
-        `unit` is that, and `now` is what it is. A drag may be refused all the same, by what else would move.
+        Those are seconds from the film's start; of `degree` they are in its `unit`, which is 1, `deg` or `cm`, and
+        `now` is what it is. A drag may be refused all the same, by what else would move.
         """
         try:
             tries = self._tries(act)
@@ -68,7 +71,8 @@ class Drags:
             strong = degree(tries.said)
         except Stuck:
             return found
-        return {**found, "degree": {"least": strong.least, "most": strong.most, "now": strong.now, "unit": strong.unit}}
+        unit = BASE.get(strong.unit, strong.unit)
+        return {**found, "degree": {"least": strong.least, "most": strong.most, "now": strong.now, "unit": unit}}
 
     def drag(
         self, act: TimedAct, handle: Handle, by: float, again: Again, release: float | None = None

@@ -119,7 +119,7 @@ def test_handles_say_how_far_they_go() -> None:
         "start": {"least": 0.0, "most": 2.99},
         "body": {"least": 0.0, "most": 14400.0},
         "end": {"least": 1.01, "most": 14400.0},
-        "degree": {"least": 0.0, "most": 1.0, "now": 0.4, "unit": "%"},
+        "degree": {"least": 0.0, "most": 1.0, "now": 0.4, "unit": "1"},
     }
     assert set(desk.drags.handles(desk.act("say"))) == {"start", "body"}
     assert set(desk.drags.handles(desk.act("nod"))) == {"end", "degree"}

@@ -75,7 +75,7 @@ class Effect:
             if one.order == act.order or abs(by) <= NEAR:
                 continue
             if self.wish.still:
-                raise Stuck("what stands behind it would wait for its end: write `for` and a `together:` in the text.")
+                raise Stuck("what stands behind it would be played at another time: write a `together:` in the text.")
             if one.start < first or not low - LOOSE <= by <= high + LOOSE:
                 line = one.span.source.position(one.span.start)[0]
                 raise Stuck(

@@ -22,6 +22,9 @@ STEP = 0.005
 """Seconds by which a rounded time may be wrong."""
 
 
+WAITS = "what stands behind it would wait for its end: write `for` and a `together:` in the text."
+
+
 @dataclass(frozen=True, slots=True)
 class Try:
     """An edit: `changes` are asked for so many seconds more than was dragged, and raise `Stuck`; and what it is for."""
@@ -110,15 +113,17 @@ class Tries:
         wait = self._wait_behind()
         if wait is not None:
             yield self._waited(made, wait, end, wish)
-        else:
+        elif self._is_last():
             yield Try(lambda _: [made], wish)
+        else:
+            raise Stuck(WAITS)
 
     def _waited(self, made: Change, wait: tree.Act, end: float, wish: Wish) -> Try:
         script = self.said.script
         found = number(wait.phrases[0].words[1:], script, "the `wait` behind it")
         left = found.value - (end - self.act.settled)
         if left < -STEP:
-            raise Stuck("what stands behind it would wait for its end: write `for` and a `together:` in the text.")
+            raise Stuck(WAITS)
         gone = left <= STEP and found.first is None
         rest = Change(*row(script.source, wait), "") if gone else found.changed(max(left, 0.0))
         return Try(lambda _: [made, rest], wish)
