@@ -25,21 +25,27 @@ def run(options: argparse.Namespace) -> int:
         source, world = open_script(options.script)
     except WorldFailure as fault:
         return refuse("FS901", name=options.script, reason=fault.args[0])
+    from facescript.preview.borrowed import Borrowed
+    from facescript.preview.editor import Editor
     from facescript.preview.paper import Paper
     from facescript.preview.server import USUAL, run
 
     path = None if options.script == STANDARD else world.path(source.name)
-    paper = Paper(path, source.text)
+    editor = Editor() if options.editor else None
+    paper = Paper(path, source.text) if editor is None else Borrowed(editor, source.text)
 
     def told(address: str) -> None:
+        if editor is not None:
+            editor.tell("address", url=address)
+            return
         print(f"{options.script} is shown at {address} (Ctrl-C ends it)", flush=True)
         if options.open:
             webbrowser.open(address)
 
     with suppress(KeyboardInterrupt):
-        for tried in (USUAL, 0) if port is None else (port,):
+        for tried in (USUAL, 0) if port is None and editor is None else (port or 0,):
             try:
-                asyncio.run(run(paper, world, source.name, tried, told))
+                asyncio.run(run(paper, world, source.name, tried, told, editor))
                 break
             except OSError as fault:
                 if fault.errno not in (errno.EADDRINUSE, errno.EACCES):

@@ -34,6 +34,10 @@ class Paper:
         self.path, self.text, self.version = path, text, 1
         self._undone: deque[tuple[str, str]] = deque(maxlen=REMEMBERED)
 
+    @property
+    def writable(self) -> bool:
+        return self.path is not None
+
     def read(self) -> bool:
         """Reads the file again; whether it says something else now. One that cannot be read is left for later."""
         if self.path is None:
@@ -54,15 +58,20 @@ class Paper:
 
     def edit(self, base: int, edit: Edit) -> None:
         """Makes an edit of the text `base` in the file. Raises `Refusal`."""
+        units = self.check(base, edit)
+        first, last = units.offset(edit.first), units.offset(edit.last)
+        before = self.text
+        self._write(self.text[:first] + edit.text + self.text[last:])
+        self._undone.append((before, self.text))
+
+    def check(self, base: int, edit: Edit) -> Units:
+        """The places of the text, where the edit is of it. Raises `Refusal`."""
         if base != self.version:
             raise Refusal("the script has changed since")
         units = Units(self.text)
         if not 0 <= edit.first <= edit.last <= units.at(len(self.text)):
             raise Refusal("the script has no such place")
-        first, last = units.offset(edit.first), units.offset(edit.last)
-        before = self.text
-        self._write(self.text[:first] + edit.text + self.text[last:])
-        self._undone.append((before, self.text))
+        return units
 
     def undo(self) -> Edit:
         """Takes the last edit back; what that replaces. Raises `Refusal`."""
