@@ -47,7 +47,9 @@ function columns(context, axis, channel, y, column, colour) {
   const first = Math.max(0, Math.floor(axis.time(0) / (channel.every * column)));
   const whole = channel.dash.reduce((sum, each) => sum + each, 0);
   context.fillStyle = colour;
-  for (let at = first, x = axis.x(first * channel.every * column); at < lows.length && x < axis.width; at++, x += wide) {
+  for (let at = first; at < lows.length; at++) {
+    const x = axis.x(at * channel.every * column);
+    if (x > axis.width) return;
     if (whole && (at * wide) % whole > channel.dash[0]) continue;
     const top = y(highs[at]) - THICK / 2;
     context.fillRect(x, top, wide + 0.3, y(lows[at]) + THICK / 2 - top);
