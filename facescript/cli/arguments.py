@@ -133,6 +133,9 @@ def _preview(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("script", metavar="SCRIPT", nargs="?", help=told)
     parser.add_argument("--port", metavar="N", help="the port of this machine, where the page is; else a free one")
     parser.add_argument("--open", action="store_true", help="show the page in the browser")
+    parser.add_argument(
+        "--editor", action="store_true", help="for editors: the text comes, and edits go, as lines of JSON"
+    )
 
 
 COMMANDS = {

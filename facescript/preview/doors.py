@@ -33,9 +33,10 @@ EDITOR = PAGE / "editor.js"
 
 HOSTS = ("127.0.0.1", "localhost", "[::1]")
 
+UNFRAMED = "frame-ancestors 'none'"
 RULE = (
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; media-src 'self'; "
-    "font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    f"font-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'; {UNFRAMED}"
 )
 
 HEADERS = {
@@ -58,9 +59,11 @@ STRETCH = 4 * 1024 * 1024
 
 
 class Doors:
-    """The doors of a server at `port`; its sound, and pages that are shared, lie in `folder`."""
+    """The doors of a server at `port`; its sound, and pages that are shared, lie in `folder`. Who has the `key` may show
+    the page in another."""
 
-    def __init__(self, port: int, folder: Path) -> None:
+    def __init__(self, port: int, folder: Path, key: str = "") -> None:
+        self._key = key
         self._hosts = {f"{host}:{port}" for host in HOSTS} | (set(HOSTS) if port == 80 else set())
         self._folder = folder
         files = (path for path in PAGE.rglob("*") if path.suffix in KINDS)
@@ -77,7 +80,7 @@ class Doors:
 
     def answer(self, request: Request) -> Response:
         """The answer to a request that is for no WebSocket."""
-        path = request.path.partition("?")[0]
+        path, _, asked = request.path.partition("?")
         if path == "/drawing.js":
             return _found(DRAWING.read_bytes() + b"\nexport { drawing };\n", KINDS[".js"])
         if path == "/playground.json":
@@ -88,6 +91,8 @@ class Doors:
         sound = SOUND.fullmatch(path)
         if sound is not None:
             return self._sound(self._folder / sound[1], request)
+        if self._key and path == "/":
+            return self._framed() if asked == f"key={self._key}" else refused(HTTPStatus.FORBIDDEN)
         file = self._files.get("/index.html" if path == "/" else path)
         return refused(HTTPStatus.NOT_FOUND) if file is None else _found(file.read_bytes(), KINDS[file.suffix])
 
@@ -98,6 +103,13 @@ class Doors:
         except OSError:
             return refused(HTTPStatus.NOT_FOUND)
         answer.headers["Content-Disposition"] = "attachment"
+        return answer
+
+    def _framed(self) -> Response:
+        """The page, for an editor's window, which frames it."""
+        answer = _found(self._files["/index.html"].read_bytes(), KINDS[".html"])
+        del answer.headers["Content-Security-Policy"], answer.headers["Cross-Origin-Resource-Policy"]
+        answer.headers["Content-Security-Policy"] = RULE.removesuffix(f"; {UNFRAMED}")
         return answer
 
     def _sound(self, path: Path, request: Request) -> Response:

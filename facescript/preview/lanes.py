@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 
 from facescript.ir.acts import Drop, SetBackground, SetLife, View
 from facescript.ir.play import Play
@@ -11,7 +10,7 @@ from facescript.performance.channels import channels_of
 from facescript.plot.acts import Bar, Lane, face_lanes, film_lanes
 from facescript.preview.messages import Message
 from facescript.preview.places import Units
-from facescript.schedule.score import Score, TimedAct, TimedLine
+from facescript.schedule.score import Score, TimedLine
 from facescript.text import Source, Span
 
 MOST_ROWS = 8
@@ -26,25 +25,12 @@ GOES_ON = (",", "+", "=")
 CHANGES = (Drop, SetBackground, SetLife, View)
 """Verbs whose length is that of a change."""
 
-Handles = Callable[[TimedAct], Mapping[str, object]]
-"""An act to those of its handles that may be dragged, each with `least` and `most`."""
 
-
-@dataclass(frozen=True, slots=True)
-class Page:
-    """The script whose places a page knows, and which of an act's handles it offers."""
-
-    source: Source
-    units: Units
-    handles: Handles
-
-
-def timeline(score: Score, play: Play, source: Source, units: Units, handles: Handles = lambda act: {}) -> Message:
+def timeline(score: Score, play: Play, source: Source, units: Units) -> Message:
     """The message `score` without its version and playhead; places are of `source`, the script, in `units`.
 
-    Times are seconds to 0.1 ms. `channels` are the names of those that each seen face has.
+    Times are seconds to 0.1 ms. `channels` are the names of those that each seen face has. No act has `handles` yet.
     """
-    page = Page(source, units, handles)
     lanes: list[tuple[str | None, Lane]] = [(None, lane) for lane in film_lanes(score, play)]
     lanes += [(face.name, lane) for face in score.faces for lane in face_lanes(score, face)]
     film = score.film
@@ -53,14 +39,14 @@ def timeline(score: Score, play: Play, source: Source, units: Units, handles: Ha
         "film": {"width": film.width, "height": film.height, "fps": film.fps, "title": film.title},
         "scenes": [{"name": each.name, "start": _s(each.start), "end": _s(each.end)} for each in score.scenes],
         "lanes": [{"face": face, "name": lane.name, "colour": lane.colour} for face, lane in lanes],
-        "acts": [act for number, (_, lane) in enumerate(lanes) for act in _acts(lane, number, page)],
+        "acts": [act for number, (_, lane) in enumerate(lanes) for act in _acts(lane, number, source, units)],
         "lines": [_line(line) for line in score.lines],
         "markers": [{"name": each.name, "time": _s(each.time)} for each in score.markers],
         "channels": {face.name: channels_of(face.parts) for face in score.faces if face.seen},
     }
 
 
-def _acts(lane: Lane, number: int, page: Page) -> Iterator[Message]:
+def _acts(lane: Lane, number: int, source: Source, units: Units) -> Iterator[Message]:
     for bar, row in zip(lane.bars, rows(lane.bars), strict=True):
         act = bar.act
         yield {
@@ -75,8 +61,8 @@ def _acts(lane: Lane, number: int, page: Page) -> Iterator[Message]:
             "label": bar.label,
             "note": bar.note,
             "estimated": act is not None and act.estimated,
-            "handles": page.handles(act) if act is not None else {},
-            **(_place(bar.span, page) if bar.span is not None else {}),
+            "handles": {},
+            **(_place(bar.span, source, units) if bar.span is not None else {}),
         }
 
 
@@ -100,12 +86,12 @@ def rows(bars: Sequence[Bar]) -> Iterator[int]:
         yield row
 
 
-def _place(span: Span, page: Page) -> Message:
+def _place(span: Span, source: Source, units: Units) -> Message:
     """Where a statement stands: in the script itself the stretch without what is indented below it, else its file."""
     line, _ = span.source.position(span.start)
-    if span.source is not page.source:
+    if span.source is not source:
         return {"file": span.source.name, "line": line}
-    return {"from": page.units.at(span.start), "to": page.units.at(span.start + _head(span.text)), "line": line}
+    return {"from": units.at(span.start), "to": units.at(span.start + _head(span.text)), "line": line}
 
 
 def _head(text: str) -> int:

@@ -35,6 +35,10 @@ class Paper:
         self.path, self.text, self.version, self.scratch = path, text, 1, scratch
         self._undone: deque[tuple[str, str]] = deque(maxlen=REMEMBERED)
 
+    @property
+    def writable(self) -> bool:
+        return self.path is not None or self.scratch
+
     def read(self) -> bool:
         """Reads the file again; whether it says something else now. One that cannot be read is left for later."""
         if self.path is None:
@@ -55,15 +59,20 @@ class Paper:
 
     def edit(self, base: int, edit: Edit) -> None:
         """Makes an edit of the text `base` in the file. Raises `Refusal`."""
+        units = self.check(base, edit)
+        first, last = units.offset(edit.first), units.offset(edit.last)
+        before = self.text
+        self._write(self.text[:first] + edit.text + self.text[last:])
+        self._undone.append((before, self.text))
+
+    def check(self, base: int, edit: Edit) -> Units:
+        """The places of the text, where the edit is of it. Raises `Refusal`."""
         if base != self.version:
             raise Refusal("the script has changed since")
         units = Units(self.text)
         if not 0 <= edit.first <= edit.last <= units.at(len(self.text)):
             raise Refusal("the script has no such place")
-        first, last = units.offset(edit.first), units.offset(edit.last)
-        before = self.text
-        self._write(self.text[:first] + edit.text + self.text[last:])
-        self._undone.append((before, self.text))
+        return units
 
     def undo(self) -> Edit:
         """Takes the last edit back; what that replaces. Raises `Refusal`."""
@@ -80,7 +89,7 @@ class Paper:
 
     def _write(self, text: str) -> None:
         """Only where the file is still what the page shows."""
-        if self.path is None and not self.scratch:
+        if not self.writable:
             raise Refusal("it came from standard input")
         if len(text.encode("utf-8", "replace")) > LARGEST_SCRIPT:
             raise Refusal(f"a script has at most {LARGEST_SCRIPT // 1024 // 1024} MiB")

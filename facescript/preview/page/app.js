@@ -32,6 +32,17 @@ link.on("score", ({ duration, playhead, was }) => {
   else if (time.now() > duration) time.seek(duration);
   time.redraw();
 });
+
+// An editor asks to be shown the film from a moment on, maybe before there is one.
+let asked = null;
+const begin = () => {
+  if (asked === null || !time.duration) return;
+  time.seek(asked);
+  asked = null;
+  time.play();
+};
+link.on("play", (message) => { asked = message.time; begin(); });
+link.on("score", begin);
 link.on("sound", ({ url }) => time.setSound(url));
 
 // The server draws what is near to the playhead first.

@@ -8,7 +8,8 @@ const NAMES = { error: "Error", warning: "Warning", hint: "Hint" };
 // `over` lies over the picture, the drawer's button stands first in `bar`; `jump(from, to)` shows a place of the text.
 export function faults(link, over, bar, jump) {
   const count = make("span", { class: "fault-count" }), list = make("ul", { class: "fault-list" });
-  const drawer = new Drawer(make("button", { type: "button", class: "tl-tool" }, "Problems", count), "faults-list", "Problems", "left");
+  const button = make("button", { type: "button", class: "tl-tool" }, "Problems", count);
+  const drawer = new Drawer(button, "faults-list", "Problems", "left");
   drawer.panel.append(list);
   bar.prepend(drawer.place);
 
@@ -28,14 +29,16 @@ export function faults(link, over, bar, jump) {
     const where = !item.line ? "" : inside ? `line ${item.line}` : `${item.file}:${item.line}`;
     const text = make("span", {}, item.message);
     if (item.help) text.append(make("span", { class: "fault-help" }, item.help));
-    const parts = [make("span", { class: "fault-sign", "data-severity": item.severity }, NAMES[item.severity] ?? item.severity),
-      make("span", { class: "fault-code" }, item.code), text, make("span", { class: "fault-code" }, where)];
+    const sign = make("span", { class: "fault-sign", "data-severity": item.severity }, NAMES[item.severity]);
+    const code = make("span", { class: "fault-code" }, item.code), parts = [sign, code, text];
+    parts.push(make("span", { class: "fault-code" }, where));
     if (!inside) return make("div", { class: "fault" }, ...parts);
     return make("button", { type: "button", class: "fault", onclick: () => jump(item.start, item.end) }, ...parts);
   }
 
   function told(errors) {
     const head = errors.length > 1 ? `${errors.length} errors.` : "An error.";
-    return [make("p", { class: "fault-head" }, `${head} The picture is the last that could be played.`), entry(errors[0])];
+    const last = make("p", { class: "fault-head" }, `${head} The picture is the last that could be played.`);
+    return [last, entry(errors[0])];
   }
 }

@@ -23,7 +23,7 @@ export function source(link, place, button, time) {
   function show(shown) {
     place.hidden = !shown;
     button.setAttribute("aria-expanded", String(shown));
-    if (shown) opened ??= open();
+    if (shown) opened ??= open().catch(() => { opened = null; });  // the server may be gone: the next time
   }
 
   for (const kind of ["script", "diagnostics", "score"]) link.on(kind, (message) => latest.set(kind, message));

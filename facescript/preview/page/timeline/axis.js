@@ -1,6 +1,7 @@
 // Times to pixels and back, and the times that are worth a mark.
 
-const ROUND = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600];
+const ROUND = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800,
+  3600];  // seconds from one mark to the next
 const APART = 74;  // pixels from one mark to the next, at least
 const LONG = 120;  // seconds from which on times are minutes and seconds
 const WIDEST = 12e6;  // pixels of a whole film: browsers end at some 16 million

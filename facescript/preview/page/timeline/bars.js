@@ -4,6 +4,7 @@ import { fit, width } from "./text.js";
 import { tint } from "./theme.js";
 
 export const NARROW = 3;  // a bar is at least so wide, px; where several stand closer, the first stands for them
+const SMALL = 8;  // a bar is drawn without slopes and edges below this, px: thousands of them must be drawn at once
 const DASHED = 16;  // a bar is so wide, px, where its edge is dashed because its times are estimates
 const ROOM = 5;  // pixels from a bar's edge to its text
 
@@ -17,6 +18,12 @@ export function bars(context, view, strip) {
     if (right - left <= NARROW && left < (until[act.row] ?? -Infinity)) continue;
     until[act.row] = right + 1;
     const top = topOf(strip, act);
+    if (right - left < SMALL && act.end > act.start) {
+      context.fillStyle = tint(strip.lane.colour, theme, 0.45);
+      context.fillRect(left, top, right - left - 0.5, strip.bar);
+      phrase(context, view, strip, act);
+      continue;
+    }
     outline(context, axis, act, top, strip.bar);
     context.fillStyle = tint(strip.lane.colour, theme, act.end > act.start ? 0.22 : 0.9);
     context.fill();
@@ -51,8 +58,8 @@ export function outline(context, axis, act, top, height, grow = 0) {
   context.closePath();
 }
 
-// What is done: on the flat top, else inside the bar, else behind it where there is room. A line whose words stand below
-// says nothing. With `inside` it is left out where it does not stand on the bar.
+// What is done: on the flat top, else inside the bar, else behind it where there is room. A line whose words stand
+// below says nothing. With `inside` it is left out where it does not stand on the bar.
 export function phrase(context, view, strip, act, inside = false) {
   if (strip.lane.name === "speech" && wordsFit(context, view, act)) return;
   const { axis, theme } = view, top = topOf(strip, act), height = strip.bar;
@@ -62,7 +69,7 @@ export function phrase(context, view, strip, act, inside = false) {
   const left = Math.max(axis.x(act.start), 0), right = Math.min(Math.max(axis.x(act.end), left + NARROW), axis.width);
   const y = top + (height > 24 ? 14 : height / 2 + 4), long = width(context, act.label);
   if (inside && act.start === act.end) return;
-  if (act.start === act.end) return void write(context, act.label, axis.x(act.start) + 9, y, free - axis.x(act.start) - 14);
+  if (act.start === act.end) return void write(context, act.label, left + 9, y, free - left - 14);
   const flat = [Math.max(axis.x(act.apex), left), Math.min(axis.x(act.release), right)];
   let start = flat[0] + ROOM, room = right - left - 2 * ROOM;
   if (long + 2 * ROOM > flat[1] - flat[0]) start = Math.max(left + ROOM, Math.min(flat[0], right - ROOM - long));

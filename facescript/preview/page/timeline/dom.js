@@ -4,9 +4,9 @@ export function make(name, attributes = {}, ...inside) {
   const element = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
-    else if (value !== null && value !== undefined && value !== false) element.setAttribute(key, value === true ? "" : value);
+    else if (value !== false) element.setAttribute(key, value === true ? "" : value);
   }
-  element.append(...inside.filter((each) => each !== null && each !== undefined));
+  element.append(...inside);
   return element;
 }
 

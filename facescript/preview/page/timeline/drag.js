@@ -51,12 +51,14 @@ export function nudged({ least, most, now, unit }, steps) {
   return clamp(now + steps * (unit === "1" ? 0.05 : 1), least, most);
 }
 
+const MOVED = { body: ["start", "apex", "release", "end", "until"], start: ["start", "apex"],
+  end: ["release", "end", "until"] };
+
 // The bar as it would be: its slopes keep their lengths where there is room.
 export function ghost(act, handle, by) {
   const moved = { ...act };
-  const keys = { body: ["start", "apex", "release", "end", "until"], start: ["start", "apex"], end: ["release", "end", "until"] };
-  for (const key of keys[handle] ?? []) moved[key] += by;
-  if (handle === "end" && act.until < act.release) [moved.release, moved.end, moved.apex] = [act.release, act.end, act.apex + by];
+  const slow = handle === "end" && act.until < act.release;  // what is longer is the change at its begin
+  for (const key of slow ? ["apex", "until"] : MOVED[handle] ?? []) moved[key] += by;
   moved.apex = Math.min(Math.max(moved.apex, moved.start), Math.max(moved.release, moved.start));
   moved.release = Math.max(moved.release, moved.apex);
   moved.end = Math.max(moved.end, moved.release);

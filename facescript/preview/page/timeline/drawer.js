@@ -7,7 +7,7 @@ export class Drawer {
   // `button` opens the panel `id` that bears `name`; `kind` is its class.
   constructor(button, id, name, kind = "") {
     this.button = button;
-    this.panel = make("div", { class: `tl-panel ${kind}`, id, hidden: true, role: "group", "aria-label": name, tabindex: "-1" });
+    this.panel = make("div", { class: `tl-panel ${kind}`, id, hidden: true, role: "group", "aria-label": name });
     this.place = make("span", { class: "tl-more" }, button, this.panel);
     button.setAttribute("aria-expanded", "false");
     button.setAttribute("aria-controls", id);

@@ -6,6 +6,8 @@ import { beside } from "./reader.js";
 
 const GRAB = 5;  // pixels from an edge of the loop that take hold of it
 const STEP = 1, PAGE = 5;  // seconds of an arrow with shift, and of a page
+const FIXED = { body: "When this act starts cannot be changed here.", end: "How long this act lasts cannot be changed here.",
+  degree: "How strong this act is cannot be changed here." };
 const CURSORS = { start: "ew-resize", end: "ew-resize", body: "grab", "": "pointer" };
 
 export class Hands {
@@ -25,7 +27,7 @@ export class Hands {
     }
     ruler.addEventListener("keydown", (event) => this.rulerKey(event));
     acts.addEventListener("keydown", (event) => this.actKey(event));
-    addEventListener("keydown", (event) => event.key === "Escape" && this.held && (event.preventDefault(), this.cancel()), true);
+    addEventListener("keydown", (event) => this.escape(event), true);
   }
 
   at(event) {
@@ -60,7 +62,7 @@ export class Hands {
   pulled(event) {
     const { view } = this.line, [x, y] = this.at(event), { kind } = this.held, time = this.time(x);
     if (kind === "scrub") this.line.seek(time, true);
-    if (kind === "loop") this.line.setLoop(this.held.from, time);
+    if (kind === "loop") this.line.loop.set(this.held.from, time);
     if (kind !== "act" || !drag.pull(view, this.held.drag, x, y, event.altKey, event.ctrlKey)) return;
     view.drag = this.held.drag;
     this.line.surface.sight.style.cursor = view.drag.handle === "degree" ? "ns-resize" : "grabbing";
@@ -76,13 +78,27 @@ export class Hands {
       drag.tell(view, held.drag, true);
       this.line.choose(held.drag.act, false);
     }
-    if (held?.kind === "loop") this.line.endLoop();
-    if (held?.kind === "scrub" || held?.kind === "tap" && !held.found) this.line.seek(this.time(this.at(event)[0]), false);
+    if (held?.kind === "loop") this.line.loop.settle();
+    const elsewhere = held?.kind === "scrub" || held?.kind === "tap" && !held.found;
+    if (elsewhere) this.line.seek(this.time(this.at(event)[0]), false);
   }
 
   cancel() {
     if (this.held?.kind === "act") this.line.letGo();
     this.held = null;
+  }
+
+  escape(event) {
+    if (event.key !== "Escape" || !this.held) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.cancel();
+  }
+
+  // Another score is there: what was held is no act of it.
+  drop() {
+    if (this.held?.kind === "act") this.held = null;
+    this.line.letGo();
   }
 
   double(event) {
@@ -165,7 +181,7 @@ export class Hands {
     if (!act || view.drag) return;
     const across = { ArrowLeft: -frame, ArrowRight: frame }[event.key];
     const handle = across ? event.shiftKey ? "end" : "body" : "degree", may = act.handles[handle];
-    if (!may) return this.line.say(`The ${handle === "body" ? "start" : handle} of this act cannot be moved here.`);
+    if (!may) return this.line.note.say(FIXED[handle]);
     const pressed = drag.press(view, { act, handle }, 0, 0);
     if (across) pressed.by = across, pressed.ghost = drag.ghost(act, handle, across);
     else pressed.degree = drag.nudged(may, event.key === "ArrowUp" ? 1 : -1);

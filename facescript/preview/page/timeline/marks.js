@@ -15,7 +15,7 @@ export function mark(context, view) {
   context.rect(0, RULER, axis.width, height - RULER);
   context.clip();
   context.translate(0, RULER - scrolled);
-  for (const act of view.lit) fillBar(context, view, act, 0.5);
+  for (const act of view.lit) fillBar(context, view, act, 0.4);
   context.textBaseline = "alphabetic";
   for (const act of view.lit) phrase(context, view, place(view, act).strip, act, true);
   spoken(context, view);
@@ -34,18 +34,11 @@ function place(view, act) {
 function fillBar(context, view, act, strength) {
   const { strip, top } = place(view, act);
   outline(context, view.axis, act, top, strip.bar);
-  if (strip.lane.name !== "speech") covered(context, view);
   context.fillStyle = tint(strip.lane.colour, view.theme, strip.lane.name === "speech" ? strength / 2 : strength);
   context.fill();
   context.strokeStyle = tint(strip.lane.colour, view.theme, 1);
   context.lineWidth = 1.5;
   context.stroke();
-}
-
-// What the bar says below is hidden, to be said again on the brighter bar.
-function covered(context, view) {
-  context.fillStyle = view.theme.paper;
-  context.fill();
 }
 
 function ring(context, view, act, colour, dash = [], wide = 1.5) {

@@ -1,4 +1,4 @@
-// The timeline's ground: the ruler, the grid, lanes with their bars, sound, words and curves, as far as they are in sight.
+// The timeline's ground as far as it is in sight: the ruler, the grid, lanes with their bars, sound, words and curves.
 import { written } from "./axis.js";
 import { bars } from "./bars.js";
 import { sound, words } from "./spoken.js";

@@ -27,7 +27,7 @@ export function sound(context, view, strip) {
 
 function loudest(peaks, from, to) {
   let most = 0;
-  for (let at = Math.max(0, Math.floor(from)); at < to && at < peaks.length; at++) if (peaks[at] > most) most = peaks[at];
+  for (let at = Math.max(0, Math.floor(from)); at < Math.min(to, peaks.length); at++) most = Math.max(most, peaks[at]);
   return most;
 }
 

@@ -6,13 +6,16 @@ import { mark } from "./marks.js";
 import { RULER, paint, told } from "./paint.js";
 import { themeOf, tint } from "./theme.js";
 
+const AROUND = 62;  // pixels of the timeline besides its lanes: the bar, the scrollbar, edges
+
 export class Surface {
   constructor(place, view) {
-    this.view = view;
+    Object.assign(this, { place, view });
     this.ground = make("canvas", { "aria-hidden": "true" });
     this.over = make("canvas", { "aria-hidden": "true" });
     this.head = make("div", { class: "tl-playhead" });
-    this.ruler = make("div", { class: "tl-ruler", role: "slider", tabindex: "0", "aria-label": "Playhead", "aria-valuemin": "0" });
+    const slider = { role: "slider", "aria-label": "Playhead", "aria-valuemin": "0", "aria-valuenow": "0" };
+    this.ruler = make("div", { class: "tl-ruler", tabindex: "0", ...slider });
     this.acts = make("div", { class: "tl-acts", role: "listbox", tabindex: "0", "aria-label": "Acts", hidden: true });
     this.sight = make("div", { class: "tl-sight" }, this.ground, this.over, this.acts, this.ruler, this.head);
     this.space = make("div", { class: "tl-space" }, this.sight);
@@ -58,7 +61,9 @@ export class Surface {
   spread() {
     const { axis, strips } = this.view, last = strips.at(-1);
     this.space.style.width = `${Math.max(axis.whole, axis.width)}px`;
-    this.space.style.height = `${Math.max(RULER + (last ? last.top + last.height : 0), this.view.height)}px`;
+    const whole = RULER + (last ? last.top + last.height : 0);
+    this.space.style.height = `${Math.max(whole, this.view.height)}px`;
+    this.place.style.setProperty("--tl-whole", `${whole + AROUND}px`);
     this.scroller.scrollLeft = axis.left;
     this.scrolled();
   }
@@ -105,12 +110,12 @@ export class Surface {
       if (this.stale) paint(this.ground.getContext("2d", { alpha: false }), this.view);
       this.stale = false;
       mark(this.over.getContext("2d"), this.view);
-      this.place();
+      this.placeHead();
     });
   }
 
   // The playhead to its time.
-  place() {
+  placeHead() {
     const { axis, time, score } = this.view, x = axis.x(time);
     this.head.style.transform = `translateX(${x}px)`;
     this.head.hidden = x < -PAD || x > axis.width + PAD;

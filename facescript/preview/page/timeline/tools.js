@@ -15,7 +15,7 @@ const ICONS = {
 export class Tools {
   constructor(place, line) {
     this.place = place;
-    this.loop = button("loop", "Loop (r)", () => line.toggleLoop(), { "aria-pressed": "false" });
+    this.loop = button("loop", "Loop (r)", () => line.loop.toggle(), { "aria-pressed": "false" });
     this.stretch = make("span", { class: "tl-stretch" });
     const curves = button("curves", "Curves");
     curves.append("Curves");
@@ -34,7 +34,8 @@ export class Tools {
 
 function button(name, title, act, attributes = {}) {
   const label = title.replace(/ \(.*/, "");
-  const made = make("button", { type: "button", class: "tl-tool", title, "aria-label": label, ...attributes }, icon(ICONS[name]));
+  const all = { type: "button", class: "tl-tool", title, "aria-label": label, ...attributes };
+  const made = make("button", all, icon(ICONS[name]));
   if (act) made.addEventListener("click", act);
   return made;
 }
@@ -42,8 +43,8 @@ function button(name, title, act, attributes = {}) {
 // The keys that work wherever nothing is typed.
 export function keys(line) {
   const { surface } = line, nearer = () => surface.zoom(STEP);
-  const found = { r: () => line.toggleLoop(), i: () => line.loopFrom(), o: () => line.loopTo(), "0": () => surface.zoom(0),
-    "+": nearer, "=": nearer, "-": () => surface.zoom(1 / STEP) };
+  const found = { r: () => line.loop.toggle(), i: () => line.loop.begin(), o: () => line.loop.end(),
+    "0": () => surface.zoom(0), "+": nearer, "=": nearer, "-": () => surface.zoom(1 / STEP) };
   addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.target.closest?.(TYPED)) return;
     const command = event.ctrlKey || event.metaKey;
