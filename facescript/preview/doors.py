@@ -59,8 +59,8 @@ STRETCH = 4 * 1024 * 1024
 
 
 class Doors:
-    """The doors of a server at `port`; its sound, and pages that are shared, lie in `folder`. Who has the `key` may show
-    the page in another."""
+    """The doors of a server at `port`; its sound and pages to share lie in `folder`. Who has the `key` may show the
+    page in another."""
 
     def __init__(self, port: int, folder: Path, key: str = "") -> None:
         self._key = key

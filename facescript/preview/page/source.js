@@ -9,10 +9,10 @@ const WIDE = 900;  // pixels of a window that has room for both
 const UNBUILT = "A plain text field: colours and help come with the editor that `make playground` builds.";
 
 // In `place`, told by `link`; `button` shows and hides it, `time` is the film's clock. The editor is made, and a language
-// server asked for, when the script is shown for the first time.
+// server asked for, when the script is shown for the first time: at once, unless an editor elsewhere shows it.
 export function source(link, place, button, time) {
   const latest = new Map();
-  let opened = null;
+  let opened = null, elsewhere = false;
 
   async function open() {
     const { editor, examples } = await (await fetch("playground.json")).json();
@@ -27,8 +27,9 @@ export function source(link, place, button, time) {
   }
 
   for (const kind of ["script", "diagnostics", "score"]) link.on(kind, (message) => latest.set(kind, message));
+  link.on("editor", ({ connected }) => { elsewhere = connected; });
   link.on("script", ({ scratch }) => {
-    if (button.hidden) show(scratch || innerWidth > WIDE);
+    if (button.hidden) show(scratch || (innerWidth > WIDE && !elsewhere));
     button.hidden = false;
   });
   button.addEventListener("click", () => show(place.hidden));

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,13 +11,17 @@ from typing import Any
 
 import pytest
 from accessible import faults
-from chromium import Page
-from previewing import served
+from chromium import Page, program
+from conftest import ROOT
+from serving import Serving
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
-pytestmark = pytest.mark.xdist_group("playground")
+pytestmark = [
+    pytest.mark.xdist_group("preview"),
+    pytest.mark.skipif(program() is None, reason="no Chromium on this machine"),
+]
 
 SCRIPT = """\
 film 64x64
@@ -51,8 +56,9 @@ CTRL = 2
 @pytest.fixture(scope="module")
 def address(editor: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """The playground, with the editor that is built."""
-    with served(tmp_path_factory.mktemp("playground"), editor=editor) as address:
-        yield address
+    os.environ["PYTHONPATH"] = str(ROOT)
+    with Serving(tmp_path_factory.mktemp("playground"), None, editor=editor) as serving:
+        yield serving.address
 
 
 @pytest.fixture(scope="module")
