@@ -12,6 +12,13 @@ def units(text: str) -> int:
     return len(text) if text.isascii() else len(text.encode("utf-16-le", "surrogatepass")) // 2
 
 
+def characters(text: str, count: int) -> int:
+    """The characters in so many UTF-16 units of a text; half of one is none."""
+    if text.isascii():
+        return min(max(count, 0), len(text))
+    return len(text.encode("utf-16-le", "surrogatepass")[: 2 * max(count, 0)].decode("utf-16-le", "ignore"))
+
+
 def position(source: Source, offset: int) -> Position:
     """Line and column (both from 0, columns in UTF-16 units) of an offset in characters."""
     line, column = source.position(offset)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
 
 from pygls.lsp.server import LanguageServer
@@ -23,6 +24,7 @@ FEATURES = (
     "inlay_hints",
     "lenses",
     "links",
+    "preview",
     "references",
     "rename",
     "selection",
@@ -40,6 +42,8 @@ class FaceServer(LanguageServer):
     def __init__(self) -> None:
         super().__init__("facescript", __version__)
         self._desk: Desk | None = None
+        self.followers: list[Callable[[str], None]] = []
+        """Who is told the address of a document that has been opened or edited."""
 
     @property
     def desk(self) -> Desk:

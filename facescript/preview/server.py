@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import secrets
 import signal
 import tempfile
 import time
@@ -17,9 +18,13 @@ from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
 
 from facescript.preview.board import Board
-from facescript.preview.doors import LIVE, Doors, refused
+from facescript.preview.borrowed import Borrowed
+from facescript.preview.doors import HELP, LIVE, Doors, refused
+from facescript.preview.editor import Editor
+from facescript.preview.help import Helpers
 from facescript.preview.messages import Message, head_of, is_text, text
 from facescript.preview.paper import Edit, Paper, Refusal
+from facescript.preview.share import Sharing
 from facescript.preview.watch import changes
 from facescript.preview.workshop import Workshop
 from facescript.world import LARGEST_SCRIPT, World, WorldFailure
@@ -38,15 +43,22 @@ QUICKEST = 200
 BEHIND = 256 << 20
 """Bytes that wait for a page that does not read them, at most; then it has to come again."""
 
+FORSAKEN = 60.0
+"""Seconds without a page after which nobody in an editor looks any more."""
+
 AGAIN = 1.0
 """Seconds until a process that ended is begun again."""
 
 Number = (int, float)
+MAYBE = (int, float, type(None))
 TAKEN: Mapping[str, Mapping[str, tuple[type, ...]]] = {
     "playhead": {"time": Number, "playing": (bool,)},
     "text": {"base": (int,), "from": (int,), "to": (int,), "text": (str,)},
     "curves": {"face": (str,), "channels": (list,)},
+    "drag": {"version": (int,), "id": (int,), "handle": (str,), "by": MAYBE, "degree": MAYBE, "done": (bool,)},
+    "jump": {"from": (int,), "to": (int,)},
     "undo": {},
+    "share": {},
 }
 """What a page may say: the kinds, and what belongs to each."""
 
@@ -87,21 +99,28 @@ class Guest:
 
 
 class Preview:
-    """The pages of one script: `name` is its path in the project `world`."""
+    """The pages of one script: `name` is its path in the project `world`; `editor` is where it is written, if one is
+    known."""
 
-    def __init__(self, paper: Paper, world: World, name: str, folder: Path) -> None:
+    def __init__(self, paper: Paper, world: World, name: str, folder: Path, editor: Editor | None) -> None:
         self._paper, self._world, self._name, self._folder = paper, world, name, folder
+        self._editor, self._from = editor, b""
         self._board, self._guests = Board(), set[Guest]()
+        self._left = time.monotonic()
         self._used: list[str] = []
+        self._sharing = Sharing(world.root, name, folder)
         self._loop = asyncio.get_running_loop()
         self._workshop = self._opened()
+        self._tell(text("editor", connected=editor is not None))
         self.publish()
 
     def publish(self) -> None:
         """The script is another now: pages and workshop are told."""
         paper = self._paper
         about = {"version": paper.version, "text": paper.text}
-        self._tell(text("script", name=self._name, writable=paper.path is not None, **about))
+        root = self._world.root.absolute()
+        place = {"root": root.as_uri(), "uri": (root / self._name).as_uri(), "scratch": paper.scratch}
+        self._tell(text("script", name=self._name, writable=paper.writable, **place, **about))
         self._workshop.tell({"kind": "text", **about})
 
     async def watch(self) -> None:
@@ -115,8 +134,9 @@ class Preview:
 
     async def receive(self, connection: ServerConnection) -> None:
         """One page, from its first word to its last."""
-        guest = Guest(connection, self._board.all())
+        guest = Guest(connection, [*self._board.all(), *([self._from] if self._from else [])])
         self._guests.add(guest)
+        self._from = b""
         sending = asyncio.create_task(guest.send())
         try:
             async for said in connection:
@@ -128,6 +148,7 @@ class Preview:
             pass
         finally:
             self._guests.discard(guest)
+            self._left = time.monotonic()
             sending.cancel()
 
     @property
@@ -135,8 +156,27 @@ class Preview:
         """Whether no further page may come."""
         return len(self._guests) >= PAGES
 
+    @property
+    def forsaken(self) -> bool:
+        """Whether no page has been there for a while."""
+        return not self._guests and time.monotonic() - self._left > FORSAKEN
+
     def close(self) -> None:
         self._workshop.close()
+
+    def hear(self, message: Message) -> None:
+        """Takes what the editor says; the first page that comes plays from where it was asked for."""
+        assert isinstance(self._paper, Borrowed)
+        if message["kind"] == "text":
+            if self._paper.hear(message):
+                self.publish()
+        elif message["kind"] == "caret":
+            first, last = self._paper.line(int(str(message["offset"])))
+            self._tell(text("lit", **{"from": first, "to": last}))
+        else:
+            play = text("play", time=message["time"])
+            self._from = b"" if self._guests else play
+            self._tell(play)
 
     def _opened(self) -> Workshop:
         """A workshop, whose messages come here in the server's own thread."""
@@ -159,11 +199,23 @@ class Preview:
 
     def _made(self, message: bytes) -> None:
         """Takes what the workshop has made."""
-        head = head_of(message) if message[:16] == USED else None
+        head = head_of(message) if message.startswith(USED) else None
         if head is not None:
             self._used = [str(name) for name in head["files"]]  # type: ignore[attr-defined]
+        elif message.startswith(DRAGGED):
+            self._dragged(head_of(message))
+        else:
+            self._tell(message)
+
+    def _dragged(self, found: Message) -> None:
+        """An edit that a drag is, which is shown or made."""
+        if not found["done"]:
+            self._tell(text("would", **{name: found[name] for name in ("from", "to", "text")}))
             return
-        self._tell(message)
+        try:
+            self._make({"base": found["version"], **found})
+        except Refusal as fault:
+            self._tell(text("refused", what="drag", why=fault.args[0]))
 
     def _tell(self, message: bytes) -> None:
         self._board.take(message)
@@ -185,16 +237,27 @@ class Preview:
             guest.tell(text("refused", what="", why="it is no message of this page"))
             return
         kind = message["kind"]
-        if kind not in ("text", "undo"):
+        if kind == "share":
+            self._sharing.share(self._paper.text, guest.tell)
+        elif kind == "jump":
+            if self._editor is not None:
+                self._editor.tell(**message)  # type: ignore[arg-type]
+        elif kind not in ("text", "undo"):
             self._workshop.tell(message)
-            return
-        try:
-            edit = self._paper.undo() if kind == "undo" else self._edited(message)
-        except Refusal as fault:
-            guest.tell(text("refused", what=kind, why=fault.args[0]))
-            return
+        else:
+            try:
+                self._make(message)
+            except Refusal as fault:
+                guest.tell(text("refused", what=kind, why=fault.args[0]))
+
+    def _make(self, message: Message) -> None:
+        """Makes or takes back an edit, and tells of it; one in an editor is told as a text when it is made. Raises
+        `Refusal`."""
+        before = self._paper.version
+        edit = self._paper.undo() if message["kind"] == "undo" else self._edited(message)
         self._tell(text("edited", **{"from": edit.first, "to": edit.last, "text": edit.text}))
-        self.publish()
+        if self._paper.version != before:
+            self.publish()
 
     def _edited(self, message: Message) -> Edit:
         """Makes an edit that a page asks for. Raises `Refusal`."""
@@ -204,7 +267,7 @@ class Preview:
         return edit
 
 
-USED = text("used", files=[])[:16]
+USED, DRAGGED = b'{"kind":"used"', b'{"kind":"dragged"'
 
 
 def understood(said: str | bytes) -> Message | None:
@@ -221,22 +284,31 @@ def understood(said: str | bytes) -> Message | None:
     return {name: message[name] for name in ("kind", *wanted)}
 
 
-async def run(paper: Paper, world: World, name: str, port: int, told: Callable[[str], None]) -> None:
-    """Serves until the process is told to end; `told` gets the address. Raises `OSError` where the port is taken."""
+async def run(
+    paper: Paper, world: World, name: str, port: int, told: Callable[[str], None], editor: Editor | None = None
+) -> None:
+    """Serves until the process is told to end; `told` gets the address. Raises `OSError` where the port is taken.
+
+    With an `editor` it ends with it too, and when nobody looks any more.
+    """
     with tempfile.TemporaryDirectory(prefix="facescript-") as made:
         folder = Path(made)
         doors: list[Doors] = []
         pages: list[Preview] = []
+        helpers = Helpers()
 
         def request(connection: ServerConnection, asked: Request) -> Response | None:
             if doors[0].stranger(asked):
                 return refused(HTTPStatus.FORBIDDEN)
+            if asked.path == HELP:
+                return None
             if asked.path != LIVE:
                 return doors[0].answer(asked)
             return refused(HTTPStatus.SERVICE_UNAVAILABLE) if pages[0].full else None
 
         async def receive(connection: ServerConnection) -> None:
-            await pages[0].receive(connection)
+            assert connection.request is not None
+            await (helpers.help if connection.request.path == HELP else pages[0].receive)(connection)
 
         async with serve(
             receive,
@@ -250,21 +322,33 @@ async def run(paper: Paper, world: World, name: str, port: int, told: Callable[[
             close_timeout=1.0,
         ) as server:
             bound = next(iter(server.sockets)).getsockname()[1]
-            doors.append(Doors(bound, folder))
-            pages.append(Preview(paper, world, name, folder))
+            key = "" if editor is None else secrets.token_urlsafe(16)
+            doors.append(Doors(bound, folder, key))
+            pages.append(Preview(paper, world, name, folder, editor))
             watching = asyncio.create_task(pages[0].watch())
-            told(f"http://{LOOPBACK}:{bound}/")
+            told(f"http://{LOOPBACK}:{bound}/{f'?key={key}' if key else ''}")
             try:
-                await _interrupted()
+                await _ended(pages[0], editor)
             finally:
                 watching.cancel()
                 pages[0].close()
 
 
-async def _interrupted() -> None:
-    """Waits until the process is told to end."""
-    ended = asyncio.Event()
+async def _ended(page: Preview, editor: Editor | None) -> None:
+    """Waits until the process is told to end; listens to its editor."""
+    ended, loop = asyncio.Event(), asyncio.get_running_loop()
     with suppress(NotImplementedError):  # on Windows an interrupt comes as an exception
         for number in (signal.SIGINT, signal.SIGTERM):
-            asyncio.get_running_loop().add_signal_handler(number, ended.set)
-    await ended.wait()
+            loop.add_signal_handler(number, ended.set)
+    if editor is None:
+        await ended.wait()
+        return
+
+    def soon(act: Callable[..., None], *values: object) -> None:
+        with suppress(RuntimeError):  # the server ends
+            loop.call_soon_threadsafe(act, *values)
+
+    editor.listen(lambda message: soon(page.hear, message), lambda: soon(ended.set))
+    while not ended.is_set() and not page.forsaken:
+        with suppress(TimeoutError):
+            await asyncio.wait_for(ended.wait(), 1.0)

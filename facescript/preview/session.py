@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import cast
 
 from facescript.backends.job import Job
 from facescript.compile import Compiled, Settings
@@ -19,8 +20,9 @@ from facescript.pictures import PictureFailure
 from facescript.preview.curves import curves
 from facescript.preview.faults import told
 from facescript.preview.frames import Frames
+from facescript.preview.hands import Hands
 from facescript.preview.lanes import timeline
-from facescript.preview.messages import Message, text
+from facescript.preview.messages import Message, is_draft, text
 from facescript.preview.places import Units, carried
 from facescript.preview.playhead import Stretch, moved, stretches
 from facescript.preview.sound import Sound
@@ -62,6 +64,8 @@ class Session:
     def __init__(self, root: Path, name: str, folder: Path) -> None:
         self._world, self._name = ReadWorld(root), name
         self._recompiler, self._voice = Recompiler(), PatientVoice(self._world, open_studio(self._world))
+        self._drafts = Recompiler()
+        self._hands: Hands | None = None
         self._frames, self._sound = Frames(), Sound(folder)
         self._text: tuple[int, str] | None = None
         self._read = 0, ""
@@ -80,7 +84,8 @@ class Session:
             self._playhead = float(message["time"])  # type: ignore[arg-type]
             self._frames.came()
         else:
-            self._asked = [*self._asked, message][-ASKED:]
+            waiting = [other for other in self._asked if not is_draft(other) or not is_draft(message)]
+            self._asked = [*waiting, message][-ASKED:]
 
     @property
     def busy(self) -> bool:
@@ -120,6 +125,7 @@ class Session:
         version, script = self._read
         source, units = Source(self._name, script), Units(script)
         self._voice.begin()
+        self._hands = None
         compiled = self._compiled(source)
         yield text("used", files=sorted(self._world.names))
         yield text("diagnostics", version=version, items=told(self._faults(compiled), source, units))
@@ -133,6 +139,9 @@ class Session:
             playhead = moved(was, before.stretches, self._good.stretches, carried(before.text, script))
             self._playhead = playhead = min(playhead, score.duration)
         told_of = timeline(score, compiled.play, source, units)
+        if not is_play(source):
+            self._hands = Hands(version, compiled, cast(list[Message], told_of["acts"]), units, self._drafted)
+            self._hands.give_handles()
         yield text("score", version=version, **told_of, playhead=playhead, was=was)
         yield from self._frames.show(job, version)
         self._mixing, self._fresh = self._sound.mix(score, version), True
@@ -147,6 +156,10 @@ class Session:
         if is_play(source):
             return compile_any(source, self._world, self._voice, Settings())
         return self._recompiler.compile(source, self._world, self._voice).finished()
+
+    def _drafted(self, source: Source) -> Compiled:
+        """A text that may become the script's; what was compiled of the script stays as it is."""
+        return self._drafts.compile(source, self._world, self._voice).finished()
 
     def _draw(self) -> Iterator[bytes]:
         """A chunk; where a picture of the script cannot be read any more, the frames end."""
@@ -165,3 +178,6 @@ class Session:
     def _answer(self, asked: Message) -> Iterator[bytes]:
         if self._good is not None and asked["kind"] == "curves":
             yield curves(self._good.job, self._good.version, asked)
+        elif asked["kind"] == "drag":
+            missing = text("refused", what="", why="the script has no times now: mend what is wrong with it first.")
+            yield missing if self._hands is None else self._hands.answer(asked)

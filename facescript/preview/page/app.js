@@ -4,6 +4,8 @@ import { clock } from "./clock.js";
 import { controls } from "./controls.js";
 import { faults } from "./faults.js";
 import { figure } from "./figure.js";
+import { source } from "./source.js";
+import { Timeline } from "./timeline/timeline.js";
 import { wire } from "./wire.js";
 
 const AGAIN = 250;  // ms between two words to the server of where the playhead is
@@ -16,7 +18,9 @@ const jump = (from, to) => link.say("jump", { from, to });
 
 time.watch((now) => one("face").classList.toggle("waiting", !picture.draw(now)));
 controls(time, one("controls"));
-faults(link, one("faults"), jump);
+const line = new Timeline(one("timeline"), link, time);
+faults(link, one("faults"), line.tools.place, jump);
+source(link, one("source"), one("source-button"), time);
 
 link.on("state", ({ state }) => {
   one("state").textContent = state === "connected" ? "" : "the server is gone; looking for it";
@@ -28,6 +32,17 @@ link.on("score", ({ duration, playhead, was }) => {
   else if (time.now() > duration) time.seek(duration);
   time.redraw();
 });
+
+// An editor asks to be shown the film from a moment on, maybe before there is one.
+let asked = null;
+const begin = () => {
+  if (asked === null || !time.duration) return;
+  time.seek(asked);
+  asked = null;
+  time.play();
+};
+link.on("play", (message) => { asked = message.time; begin(); });
+link.on("score", begin);
 link.on("sound", ({ url }) => time.setSound(url));
 
 // The server draws what is near to the playhead first.
@@ -41,4 +56,4 @@ setInterval(() => {
 link.on("state", () => { said = -1; });
 
 link.open();
-window.facescript = { time, picture, link };  // for tests, and for who looks at the page from its console
+window.facescript = { time, picture, link, line };  // for tests, and for who looks at the page from its console
