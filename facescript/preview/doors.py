@@ -55,7 +55,8 @@ class Doors:
         self._key = key
         self._hosts = {f"{host}:{port}" for host in HOSTS} | (set(HOSTS) if port == 80 else set())
         self._folder = folder
-        self._files = {f"/{path.name}": path for path in PAGE.iterdir() if path.suffix in KINDS}
+        files = (path for path in PAGE.rglob("*") if path.suffix in KINDS)
+        self._files = {f"/{path.relative_to(PAGE).as_posix()}": path for path in files}
 
     def stranger(self, request: Request) -> bool:
         """Whether a request comes from a page of elsewhere, or by a name that is not this machine's own."""

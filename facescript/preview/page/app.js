@@ -4,6 +4,7 @@ import { clock } from "./clock.js";
 import { controls } from "./controls.js";
 import { faults } from "./faults.js";
 import { figure } from "./figure.js";
+import { Timeline } from "./timeline/timeline.js";
 import { wire } from "./wire.js";
 
 const AGAIN = 250;  // ms between two words to the server of where the playhead is
@@ -16,7 +17,8 @@ const jump = (from, to) => link.say("jump", { from, to });
 
 time.watch((now) => one("face").classList.toggle("waiting", !picture.draw(now)));
 controls(time, one("controls"));
-faults(link, one("faults"), jump);
+const line = new Timeline(one("timeline"), link, time);
+faults(link, one("faults"), line.tools.place, jump);
 
 link.on("state", ({ state }) => {
   one("state").textContent = state === "connected" ? "" : "the server is gone; looking for it";
@@ -52,4 +54,4 @@ setInterval(() => {
 link.on("state", () => { said = -1; });
 
 link.open();
-window.facescript = { time, picture, link };  // for tests, and for who looks at the page from its console
+window.facescript = { time, picture, link, line };  // for tests, and for who looks at the page from its console

@@ -1,23 +1,44 @@
-// What is wrong with the script, over the picture: errors keep the last good picture, and say why.
+// What is wrong with the script: a list in a drawer, and over the picture while an error stands in the way.
 
-const SHOWN = 6;
+import { make } from "./timeline/dom.js";
+import { Drawer } from "./timeline/drawer.js";
 
-export function faults(link, place, jump) {
+const NAMES = { error: "Error", warning: "Warning", hint: "Hint" };
+
+// `over` lies over the picture, the drawer's button stands first in `bar`; `jump(from, to)` shows a place of the text.
+export function faults(link, over, bar, jump) {
+  const count = make("span", { class: "fault-count" }), list = make("ul", { class: "fault-list" });
+  const button = make("button", { type: "button", class: "tl-tool" }, "Problems", count);
+  const drawer = new Drawer(button, "faults-list", "Problems", "left");
+  drawer.panel.append(list);
+  bar.prepend(drawer.place);
+
   link.on("diagnostics", ({ items }) => {
-    const told = items.filter((item) => item.severity !== "hint");
-    place.replaceChildren(...told.slice(0, SHOWN).map(card));
-    if (told.length > SHOWN) place.append(Object.assign(document.createElement("p"), {
-      className: "fault", textContent: `and ${told.length - SHOWN} more`,
-    }));
+    list.replaceChildren(...items.map((item) => make("li", {}, entry(item))));
+    if (!items.length) list.append(make("li", { class: "fault-none" }, "Nothing to report."));
+    const errors = items.filter((item) => item.severity === "error");
+    const worst = errors.length ? "error" : items.find((item) => item.severity === "warning")?.severity ?? "hint";
+    count.textContent = items.length ? String(items.length) : "";
+    count.dataset.severity = worst;
+    over.hidden = !errors.length;
+    over.replaceChildren(...errors.length ? told(errors) : []);
   });
 
-  function card(item) {
-    const card_ = document.createElement("div"), where = document.createElement("span");
-    card_.className = "fault", card_.dataset.severity = item.severity;
-    where.className = "place";
-    where.textContent = `${item.code}${item.line ? ` ${item.file}:${item.line}` : ""}`;
-    card_.append(where, item.message, item.help ? ` ${item.help}` : "");
-    if (item.start !== undefined) card_.addEventListener("click", () => jump(item.start, item.end));
-    return card_;
+  function entry(item) {
+    const inside = item.start !== undefined;
+    const where = !item.line ? "" : inside ? `line ${item.line}` : `${item.file}:${item.line}`;
+    const text = make("span", {}, item.message);
+    if (item.help) text.append(make("span", { class: "fault-help" }, item.help));
+    const sign = make("span", { class: "fault-sign", "data-severity": item.severity }, NAMES[item.severity]);
+    const code = make("span", { class: "fault-code" }, item.code), parts = [sign, code, text];
+    parts.push(make("span", { class: "fault-code" }, where));
+    if (!inside) return make("div", { class: "fault" }, ...parts);
+    return make("button", { type: "button", class: "fault", onclick: () => jump(item.start, item.end) }, ...parts);
+  }
+
+  function told(errors) {
+    const head = errors.length > 1 ? `${errors.length} errors.` : "An error.";
+    const last = make("p", { class: "fault-head" }, `${head} The picture is the last that could be played.`);
+    return [last, entry(errors[0])];
   }
 }
