@@ -9,9 +9,12 @@ from pathlib import Path
 from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
-from facescript.backends.page.document import resource
+from facescript.backends import page as output
 
 PAGE = Path(__file__).with_name("page")
+
+DRAWING = Path(output.__path__[0]) / "drawing.js"
+"""What `.html` outputs draw with; the page takes it as a module."""
 
 KINDS = {
     ".html": "text/html; charset=utf-8",
@@ -69,7 +72,7 @@ class Doors:
         """The answer to a request that is for no WebSocket."""
         path, _, asked = request.path.partition("?")
         if path == "/drawing.js":
-            return _found((resource("drawing.js") + "\nexport { drawing };\n").encode(), KINDS[".js"])
+            return _found(DRAWING.read_bytes() + b"\nexport { drawing };\n", KINDS[".js"])
         sound = SOUND.fullmatch(path)
         if sound is not None:
             return self._sound(self._folder / sound[1], request)

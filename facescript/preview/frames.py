@@ -45,7 +45,7 @@ class Figure:
     gathering: Gathering
     told: list[int]
     layers: dict[Layer, int] = field(default_factory=dict)
-    drawn: dict[bytes, tuple[Object, list[NDArray[np.float32]]]] = field(default_factory=dict)
+    drawn: dict[bytes, tuple[Object, list[bytes]]] = field(default_factory=dict)
 
 
 class Frames:
@@ -115,8 +115,7 @@ class Frames:
             self._told.clear()
             yield text("figure", version=self._version, **self._described(figure))
             for face, basis in enumerate(gathering.bases):
-                mean = (basis.mean * PLACE).astype(np.float32)
-                yield numbers("mean", [mean], figure=figure.name, face=face)
+                yield numbers("mean", [_bytes(basis.mean * PLACE)], figure=figure.name, face=face)
         else:
             yield text("figure", version=self._version, **self._described(figure))
 
@@ -150,8 +149,8 @@ class Frames:
         weights, rest = figure.gathering.take(stage.drawn(moments))
         for face, basis in enumerate(figure.gathering.bases):
             if len(basis) > figure.told[face]:
-                ways = basis.moves(figure.told[face]).astype(np.float32)
-                yield numbers("ways", [ways], figure=figure.name, face=face, count=len(ways))
+                ways = basis.moves(figure.told[face])
+                yield numbers("ways", [_bytes(ways)], figure=figure.name, face=face, count=len(ways))
                 figure.told[face] = len(basis)
         grounds = list[tuple[int, Ground]]()
         add_grounds(grounds, 0, moments.grounds)
@@ -161,12 +160,12 @@ class Frames:
         behind = [
             [frame, [[figure.layers[layer], round(share, 4)] for layer, share in ground]] for frame, ground in grounds
         ]
-        rows = np.concatenate([*weights, rest], axis=1).T.astype(np.float32)
+        rows = np.concatenate([*weights, rest], axis=1).T
         moving = np.flatnonzero((rows != rows[:, :1]).any(axis=1))
         head: Object = {"ways": [each.shape[1] for each in weights], "moving": moving.tolist(), "grounds": behind}
         while len(figure.drawn) >= KEPT:
             del figure.drawn[next(iter(figure.drawn))]
-        figure.drawn[key] = head, [rows[:, 0], rows[moving]]
+        figure.drawn[key] = head, [_bytes(rows[:, 0]), _bytes(rows[moving])]
 
 
 def _far(number: int, here: int) -> int:
@@ -181,3 +180,8 @@ def _key(moments: Moments) -> bytes:
         digest.update(np.ascontiguousarray(part).tobytes())
     digest.update(repr(moments.grounds).encode())
     return digest.digest()
+
+
+def _bytes(values: NDArray[np.generic]) -> bytes:
+    """Numbers as a message has them."""
+    return values.astype("<f4").tobytes()

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Iterable
 
 Message = dict[str, object]
 
@@ -18,13 +16,12 @@ def text(kind: str, **values: object) -> bytes:
     return json.dumps({"kind": kind, **values}, ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode()
 
 
-def numbers(kind: str, parts: list[NDArray[np.float32]], **values: object) -> bytes:
+def numbers(kind: str, parts: Iterable[bytes], **values: object) -> bytes:
     """A message with numbers: the length of its head in bytes (32 bits, little-endian), the head, the numbers of all
-    parts as 32-bit floats. Its first byte is none that a JSON text begins with."""
+    parts, 32-bit floats too. Its first byte is none that a JSON text begins with."""
     head = text(kind, **values)
     head += b" " * (-(len(head) + 4) % ALIGNED)
-    body = b"".join(np.ascontiguousarray(part, dtype="<f4").tobytes() for part in parts)
-    return len(head).to_bytes(4, "little") + head + body
+    return b"".join((len(head).to_bytes(4, "little"), head, *parts))
 
 
 def is_text(message: bytes) -> bool:

@@ -307,6 +307,7 @@ async def run(
             max_queue=16,
             compression=None,
             open_timeout=5.0,
+            close_timeout=1.0,
         ) as server:
             bound = next(iter(server.sockets)).getsockname()[1]
             key = "" if editor is None else secrets.token_urlsafe(16)

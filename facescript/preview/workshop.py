@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import json
 import multiprocessing
+import os
 import signal
 import traceback
 from collections import deque
@@ -83,6 +84,7 @@ def work(pipe: Connection, root: Path, name: str, folder: Path) -> None:
     """What the process does until the pipe is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # whoever started it ends it
     gc.set_threshold(COLLECT)
+    os.environ |= dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"), "1")  # a core is the browser's
     from facescript.preview.session import Session  # what it needs is loaded while the server starts
 
     session = Session(root, name, folder)

@@ -32,6 +32,7 @@ export function figure(link, place, redraw) {
   link.on("kept", ({ version: now, chunks }) => {
     for (const made of [shown, next])
       for (const number of chunks) if (made?.chunks.has(number)) made.chunks.get(number).version = now;
+    redraw();
   });
   link.on("forget", ({ chunks }) => {
     for (const made of [shown, next]) for (const number of chunks) made?.chunks.delete(number);

@@ -2,8 +2,8 @@
 
 const QUICKEST = 250, SLOWEST = 4000;  // ms until it is tried again
 
-// A wire: `on(kind, act)` calls `act` with each message of a kind, `say(kind, values)` sends one; `state` is told of
-// "connected" and "lost". A message with numbers has them as `numbers`, a Float32Array.
+// A wire: `on(kind, act)` calls `act` with each message of a kind, `say(kind, values)` sends one, `drop()` lets go of
+// the socket; `state` is told of "connected" and "lost". A message with numbers has them as `numbers`, a Float32Array.
 export function wire(address) {
   const listeners = new Map();
   let socket, pause = QUICKEST;
@@ -27,6 +27,7 @@ export function wire(address) {
 
   return {
     open,
+    drop() { socket.close(); },
     on(kind, act) { listeners.set(kind, [...listeners.get(kind) || [], act]); },
     say(kind, values = {}) {
       if (socket && socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify({ kind, ...values }));
