@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import logging
 from importlib import import_module
 
+from lsprotocol import types
 from pygls.lsp.server import LanguageServer
 
 from facescript import __version__
 from facescript.lsp.desk import Desk
+from facescript.lsp.documents import Documents
+from facescript.lsp.protocol import FaceProtocol, quiet_refusals
 
 FEATURES = (
     "calls",
@@ -38,7 +42,7 @@ class FaceServer(LanguageServer):
     """A server of one editor."""
 
     def __init__(self) -> None:
-        super().__init__("facescript", __version__)
+        super().__init__("facescript", __version__, protocol_cls=FaceProtocol)
         self._desk: Desk | None = None
 
     @property
@@ -50,6 +54,14 @@ class FaceServer(LanguageServer):
 
 def make_server() -> FaceServer:
     server = FaceServer()
+    logging.getLogger("pygls.protocol.json_rpc").addFilter(quiet_refusals)
+
+    @server.feature(types.INITIALIZE)
+    def initialized(_: FaceServer, params: types.InitializeParams) -> None:
+        server.protocol._workspace = Documents(
+            server.workspace.root_uri, server.workspace._sync_kind, params.workspace_folders or []
+        )
+
     for name in FEATURES:
         import_module(f"facescript.lsp.features.{name}").register(server)
     return server
