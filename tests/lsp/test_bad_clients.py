@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from rough_client import RoughClient
+from _rough_client import RoughClient
 
 pytestmark = pytest.mark.xdist_group("bad clients")  # one server serves them all
 

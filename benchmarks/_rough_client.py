@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -14,8 +15,8 @@ COMMAND = [sys.executable, "-m", "facescript.cli.main", "lsp"]
 class RoughClient:
     """A session with a server of its own. `log` takes what the server writes to standard error."""
 
-    def __init__(self, log: BinaryIO) -> None:
-        self._server = subprocess.Popen(COMMAND, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
+    def __init__(self, log: BinaryIO | int, command: Sequence[str] = COMMAND) -> None:
+        self._server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
         assert self._server.stdin is not None and self._server.stdout is not None
         self._out, self._in = self._server.stdin, self._server.stdout
         self._number = 0
