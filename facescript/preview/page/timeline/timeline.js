@@ -14,6 +14,8 @@ import { Tools, keys } from "./tools.js";
 
 const TURN = 0.85, BACK = 0.12;  // where in sight the playhead turns the page, and where it then is
 
+const SOON = 3000;  // ms until what an edit makes of the film is there
+
 export class Timeline {
   // `place` is an element of the page, `wire` and `clock` are the page's own.
   constructor(place, wire, clock) {
@@ -47,23 +49,23 @@ export class Timeline {
     wire.on("sound", ({ peaks }) => { this.view.peaks = peaks; this.surface.draw(); });
     wire.on("curves", (message) => this.showCurves(message));
     wire.on("lit", ({ from, to }) => this.showCaret(from, to));
-    wire.on("script", ({ text }) => { this.text = text; });
+    wire.on("script", ({ text, version }) => { Object.assign(this, { text, version }); });
     wire.on("would", (edit) => this.answer(written(this.text, edit)));
     wire.on("refused", ({ what, why }) => this.answer(why) || this.letGo([what, why].filter(Boolean).join(": ")));
-    wire.on("edited", () => this.letGo());
+    wire.on("edited", () => this.edited());
     clock.watch((time) => this.tick(time));
   }
 
   // ---------------------------------------------------------------- what is shown
 
   showScore(message) {
-    const { view } = this, before = view.score, chosen = view.chosen;
+    const { view } = this, before = view.score, chosen = view.chosen, same = view.version === message.version;
     const fitted = !before || Math.abs(view.axis.scale - view.axis.fit) < 1e-6;
     view.score = message;
     view.version = message.version;
     view.axis.duration = message.duration;
     view.axis.scale = fitted ? view.axis.fit : Math.max(view.axis.scale, view.axis.fit);
-    this.hands.drop();
+    this.hands.again(same ? (act) => again(before, message, act) : () => null);
     view.hovered = null;
     view.caret = [];
     view.chosen = chosen && again(before, message, chosen);
@@ -99,6 +101,9 @@ export class Timeline {
     this.view.caret = acts.filter((act) => act.from !== undefined && act.from <= to && act.to >= from);
     this.surface.markLater();
   }
+
+  // Whether the timeline shows the script as it is now: its acts can be dragged.
+  get fresh() { return this.view.version === this.version; }
 
   // ---------------------------------------------------------------- time
 
@@ -163,6 +168,15 @@ export class Timeline {
     drag.would = text;
     this.showDrag();
     return true;
+  }
+
+  // The bar stays where it was dragged to until the score that comes of it is there, if one does.
+  edited() {
+    const { drag } = this.view;
+    if (!drag?.given) return;
+    clearTimeout(drag.given);
+    drag.given = setTimeout(() => this.letGo(), SOON);
+    this.note.hide();
   }
 
   // The drag is over: done, refused with a sentence, or given up.
