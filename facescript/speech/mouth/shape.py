@@ -59,7 +59,7 @@ class MouthShape:
         return self._timed(self.on, off, self.slack, self.yields, self.trim - (self.off - off))
 
     def _timed(self, on: float, off: float, slack: float, yields: float, trim: float) -> MouthShape:
-        """The shape at another time. A line has hundreds, so this is written out: `replace` takes three times as long."""
+        """The shape at another time. A line has hundreds: `dataclasses.replace` takes three times as long."""
         rest = self.effort, self.vowel, self.exact, self.own
         return MouthShape(self.name, on, off, self.degree, slack, yields, trim, *rest)
 
