@@ -135,7 +135,7 @@ def test_faces_come_and_go_and_may_be_none(job: Job, text: str) -> None:
 
 def test_a_script_stands_in_its_page_as_it_is() -> None:
     made = page(job_of(SCRIPT, template="script", script=SCRIPT + "# {{title}}\n")).text
-    (shown,) = html.fromstring(made).xpath("//section/pre")
+    (shown,) = html.fromstring(made).xpath("//pre")
     assert shown.text == SCRIPT + "# {{title}}\n"
 
 

@@ -193,6 +193,8 @@ def test_examples_and_sharing(page: Page, tmp_path: Path) -> None:
     until(page, f"{SAID}.startsWith('Shared')")
     found(tmp_path / "hello.html")
     assert "say &quot;Hello.&quot;\n</pre>" in (tmp_path / "hello.html").read_text("utf-8")
+    with Page((tmp_path / "hello.html").as_uri(), 1280, 800) as other:
+        assert faults(other) == []
     begun(page)
     typed(page, "    ada: shw")
     page.run("document.querySelector('[data-share]').click()")

@@ -26,7 +26,7 @@ def world(tmp_path: Path) -> World:
 
 def test_a_page_has_its_script(world: World) -> None:
     found = html.fromstring(shared(world, Source("scratch.face", SCRIPT)))
-    assert found.xpath("//section/pre")[0].text == SCRIPT
+    assert found.xpath("//pre")[0].text == SCRIPT
 
 
 async def test_one_at_a_time_and_the_last_one_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -33,6 +33,7 @@ export class Shared {
   #text = null;
   #sent = null;
   #base = -1;
+  #touched = false;
   #read;
   #send;
   #take;
@@ -58,10 +59,16 @@ export class Shared {
     return !moved;
   }
 
+  // Something was written here, which is to be sent at the next pause.
+  touch() {
+    this.#touched = true;
+  }
+
   // Sends what was written, unless an edit is under way; call it when the author pauses.
   flush() {
     if (this.#sent !== null || this.#text === null) return;
     const now = this.#read(), edit = difference(this.#text, now);
+    this.#touched = false;
     if (isNothing(edit)) return;
     this.#sent = now, this.#base = this.#version;
     this.#send({ base: this.#version, ...edit });
@@ -76,6 +83,6 @@ export class Shared {
 
   // Whether the server has all that was written.
   get settled() {
-    return this.#sent === null && this.#text === this.#read();
+    return this.#sent === null && !this.#touched;
   }
 }

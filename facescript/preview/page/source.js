@@ -49,7 +49,7 @@ class Source {
     this.#furnish(examples, built);
     this.editor = new made(this.text, {
       text: script.text, label: `Script ${script.name}`, editable: script.writable,
-      edited: () => this.#later(PAUSE), save: () => this.#save(),
+      edited: () => { this.shared.touch(), this.#later(PAUSE); }, save: () => this.#save(),
       caret: (at) => link.tell("lit", { from: at, to: at }),
     });
     this.shared = new Shared({

@@ -22,7 +22,7 @@ export class Timeline {
     this.wire = wire;
     this.clock = clock;
     this.view = { axis: new Axis(), strips: [], scrolled: 0, height: 0, dense: 1, score: null, version: 0, peaks: [],
-      words: [], time: 0, loop: null, lit: [], caret: [], hovered: null, chosen: null, drag: null,
+      words: [], time: 0, loop: null, lit: [], said: [], caret: [], hovered: null, chosen: null, drag: null,
       say: (kind, values) => wire.say(kind, values), letGo: (why) => this.letGo(why) };
     this.curves = new Map();
     this.following = true;
@@ -112,18 +112,21 @@ export class Timeline {
     view.time = time;
     if (!view.score) return;
     if (this.clock.playing) this.follow(false);
-    this.light(false);
-    this.surface.markLater();
+    this.surface.placeHead();
+    if (this.light(false)) this.surface.markLater();
   }
 
-  // What plays now is lit here, and told to whoever else lights it.
+  // What plays now is lit here, and told to whoever else lights it; whether that is another than before.
   light(anew) {
     const { view } = this, { time } = view;
     const lit = view.score.acts.filter((act) => act.start <= time && time < act.end && act.end > act.start);
-    if (!anew && lit.length === view.lit.length && lit.every((act, number) => act === view.lit[number])) return;
-    view.lit = lit;
+    const said = view.words.filter(({ word }) => word.start <= time && time < word.end);
+    if (!anew && same(lit, view.lit) && same(said, view.said)) return false;
+    const others = anew || !same(lit, view.lit);
+    Object.assign(view, { lit, said });
     const places = lit.filter((act) => act.from !== undefined).map(({ from, to }) => ({ from, to }));
-    dispatchEvent(new CustomEvent("facescript-plays", { detail: { version: view.version, places } }));
+    if (others) dispatchEvent(new CustomEvent("facescript-plays", { detail: { version: view.version, places } }));
+    return true;
   }
 
   // Keeps the playhead in sight while it plays, until the reader scrolls away; `again` brings it back.
@@ -192,6 +195,8 @@ export class Timeline {
     this.wire.say("undo");
   }
 }
+
+const same = (one, other) => one.length === other.length && one.every((each, number) => each === other[number]);
 
 // The line of a text that an edit makes.
 function written(text, { from, to, text: inside }) {
