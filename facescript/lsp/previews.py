@@ -20,7 +20,7 @@ Hear = Callable[[Message], None]
 LONGEST = 32 * 1024 * 1024
 """Bytes of a message, and of what may wait for a process that does not read."""
 
-PATIENCE = 20.0
+PATIENCE = 30.0
 """Seconds until the page has an address."""
 
 

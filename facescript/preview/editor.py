@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
+from io import FileIO
 from threading import Thread
-from typing import BinaryIO
+from typing import Protocol
 
 from facescript.preview.messages import Message, text
 from facescript.world import LARGEST_SCRIPT
@@ -27,11 +28,27 @@ TAKEN: Mapping[str, Mapping[str, tuple[type, ...]]] = {
 """What an editor may say: the kinds, and what belongs to each."""
 
 
+PIECE = 1 << 16
+"""Bytes that are read at once."""
+
+
+class Reads(Protocol):
+    def read(self, size: int, /) -> bytes | None:
+        """So many bytes or fewer; none at the end."""
+
+
+class Writes(Protocol):
+    def write(self, data: bytes, /) -> object: ...
+
+    def flush(self) -> None: ...
+
+
 class Editor:
     """Reads and writes for as long as the editor is there. `version` is the number of the text that it sent last."""
 
-    def __init__(self, reads: BinaryIO | None = None, writes: BinaryIO | None = None) -> None:
-        self._reads, self._writes = reads or sys.stdin.buffer, writes or sys.stdout.buffer
+    def __init__(self, reads: Reads | None = None, writes: Writes | None = None) -> None:
+        self._reads = reads or FileIO(sys.stdin.fileno(), closefd=False)
+        self._writes = writes or sys.stdout.buffer
         self.version = 0
 
     def listen(self, hear: Callable[[Message], None], ended: Callable[[], None]) -> None:
@@ -46,11 +63,21 @@ class Editor:
 
     def _listen(self, hear: Callable[[Message], None], ended: Callable[[], None]) -> None:
         with suppress(OSError, ValueError):
-            while (line := self._reads.readline(LONGEST)).endswith(b"\n"):
+            for line in self._lines():
                 message = understood(line)
                 if message is not None:
                     hear(message)
         ended()
+
+    def _lines(self) -> Iterator[bytes]:
+        """Reads without a buffer of Python's: one that waits for input would be in the way when the program ends."""
+        held = bytearray()
+        while (more := self._reads.read(PIECE)) and len(held) < LONGEST:
+            held += more
+            if b"\n" in more:
+                *lines, rest = bytes(held).split(b"\n")
+                held = bytearray(rest)
+                yield from lines
 
 
 def understood(line: bytes) -> Message | None:

@@ -60,7 +60,7 @@ def page(browser: Page, script: Path) -> Page:
     if script.read_text("utf-8") != SCRIPT:
         version = browser.run(f"{VIEW}.version")
         script.write_text(SCRIPT, "utf-8")
-        until(browser, f"{VIEW}.version > {version}")
+        until(browser, f"{VIEW}.version > {version} && facescript.line.fresh")
     return browser
 
 
@@ -118,7 +118,7 @@ def written(script: Path, page: Page, line: str) -> None:
     while line not in script.read_text("utf-8").splitlines():
         assert time.monotonic() < end, f"{line!r} never: {script.read_text('utf-8')}; {page.run('heard')}"
         time.sleep(0.03)
-    until(page, f"facescript.line.text.includes('{line}') && !{VIEW}.drag")
+    until(page, f"facescript.line.text.includes('{line}') && facescript.line.fresh && !{VIEW}.drag")
 
 
 def test_lanes_and_words_are_shown(page: Page) -> None:

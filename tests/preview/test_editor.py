@@ -25,7 +25,7 @@ def running(tmp_path: Path) -> Iterator[subprocess.Popen[bytes]]:
     process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
     yield process
     process.kill()
-    process.communicate()
+    process.wait()
 
 
 def test_its_page_has_a_key_and_it_ends_with_its_editor(running: subprocess.Popen[bytes]) -> None:
@@ -37,7 +37,8 @@ def test_its_page_has_a_key_and_it_ends_with_its_editor(running: subprocess.Pope
         with pytest.raises(urllib.error.HTTPError, match="403"):
             urllib.request.urlopen(wrong)
     running.stdin.close()
-    assert running.wait(20) == 0
+    assert running.wait(60) == 0
+    running.stdout.close()
 
 
 def test_an_edit_is_asked_of_the_editor_for_the_text_that_it_sent() -> None:

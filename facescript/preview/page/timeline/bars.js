@@ -7,33 +7,36 @@ export const NARROW = 3;  // a bar is at least so wide, px; where several stand 
 const SMALL = 8;  // a bar is drawn without slopes and edges below this, px: thousands of them must be drawn at once
 const DASHED = 16;  // a bar is so wide, px, where its edge is dashed because its times are estimates
 const ROOM = 5;  // pixels from a bar's edge to its text
+const LEAST = 20;  // pixels from a bar to the next in which anything can be said
+const BEHIND = 200;  // a bar that ends so far before the left edge, px, may have its text in sight
 
-// All bars of a lane that are in sight.
+// All bars of a lane that are in sight, and then what they say. The font is that of labels.
 export function bars(context, view, strip) {
-  const { axis, theme } = view, until = [];
-  context.textBaseline = "alphabetic";
+  const { axis, theme } = view, { colour } = strip.lane, until = [], shown = [];
+  const strong = tint(colour, theme, 0.9), weak = tint(colour, theme, 0.22), crowd = tint(colour, theme, 0.45);
+  context.strokeStyle = tint(colour, theme, 0.75);
+  context.lineWidth = 1;
   for (const act of strip.acts) {
     const left = axis.x(act.start), right = Math.max(axis.x(act.end), left + NARROW);
-    if (left > axis.width || right < -200) continue;
+    if (left > axis.width || right < -BEHIND) continue;
     if (right - left <= NARROW && left < (until[act.row] ?? -Infinity)) continue;
     until[act.row] = right + 1;
-    const top = topOf(strip, act);
+    shown.push(act);
     if (right - left < SMALL && act.end > act.start) {
-      context.fillStyle = tint(strip.lane.colour, theme, 0.45);
-      context.fillRect(left, top, right - left - 0.5, strip.bar);
-      phrase(context, view, strip, act);
+      context.fillStyle = crowd;
+      context.fillRect(left, topOf(strip, act), right - left - 0.5, strip.bar);
       continue;
     }
-    outline(context, axis, act, top, strip.bar);
-    context.fillStyle = tint(strip.lane.colour, theme, act.end > act.start ? 0.22 : 0.9);
+    outline(context, axis, act, topOf(strip, act), strip.bar);
+    context.fillStyle = act.end > act.start ? weak : strong;
     context.fill();
-    context.strokeStyle = tint(strip.lane.colour, theme, 0.75);
-    context.lineWidth = 1;
-    context.setLineDash(act.estimated && right - left > DASHED ? [3, 2] : []);
+    const dashed = act.estimated && right - left > DASHED;
+    if (dashed) context.setLineDash([3, 2]);
     context.stroke();
-    phrase(context, view, strip, act);
+    if (dashed) context.setLineDash([]);
   }
-  context.setLineDash([]);
+  context.fillStyle = theme.ink;
+  for (const act of shown) phrase(context, view, strip, act);
 }
 
 // The bar's shape as the path: a trapezoid, or for what takes no time a diamond.
@@ -59,34 +62,34 @@ export function outline(context, axis, act, top, height, grow = 0) {
 }
 
 // What is done: on the flat top, else inside the bar, else behind it where there is room. A line whose words stand
-// below says nothing. With `inside` it is left out where it does not stand on the bar.
+// below says nothing. With `inside` it is left out where it does not stand on the bar. The font is that of labels.
 export function phrase(context, view, strip, act, inside = false) {
-  if (strip.lane.name === "speech" && wordsFit(context, view, act)) return;
-  const { axis, theme } = view, top = topOf(strip, act), height = strip.bar;
+  const { axis } = view, left = Math.max(axis.x(act.start), 0);
   const free = strip.next.has(act) ? axis.x(strip.next.get(act)) : axis.width;
-  context.font = theme.label;
-  context.fillStyle = theme.ink;
-  const left = Math.max(axis.x(act.start), 0), right = Math.min(Math.max(axis.x(act.end), left + NARROW), axis.width);
-  const y = top + (height > 24 ? 14 : height / 2 + 4), long = width(context, act.label);
-  if (inside && act.start === act.end) return;
-  if (act.start === act.end) return void write(context, act.label, left + 9, y, free - left - 14);
-  const flat = [Math.max(axis.x(act.apex), left), Math.min(axis.x(act.release), right)];
-  let start = flat[0] + ROOM, room = right - left - 2 * ROOM;
-  if (long + 2 * ROOM > flat[1] - flat[0]) start = Math.max(left + ROOM, Math.min(flat[0], right - ROOM - long));
-  const behind = long > room && room < long / 2 && free - right - 2 * ROOM >= long;
-  if (behind && inside) return;
-  if (behind) start = right + ROOM, room = long;
-  else room = right - ROOM - start;
-  write(context, act.label, start, y, room);
+  if (free - left < LEAST || strip.lane.name === "speech" && wordsFit(view, act)) return;
+  const right = Math.min(Math.max(axis.x(act.end), left + NARROW), axis.width), long = width(act.label);
+  const y = topOf(strip, act) + (strip.bar > 24 ? 14 : strip.bar / 2 + 4);
+  if (act.start === act.end) {
+    if (!inside) write(context, act.label, left + 9, y, free - left - 14);
+    return;
+  }
+  const apex = Math.max(axis.x(act.apex), left), release = Math.min(axis.x(act.release), right);
+  const room = right - left - 2 * ROOM;
+  if (long > room && room < long / 2 && free - right - 2 * ROOM >= long) {
+    if (!inside) write(context, act.label, right + ROOM, y, long);
+    return;
+  }
+  let start = apex + ROOM;
+  if (long + 2 * ROOM > release - apex) start = Math.max(left + ROOM, Math.min(apex, right - ROOM - long));
+  write(context, act.label, start, y, right - ROOM - start);
 }
 
 function write(context, text, x, y, room) {
-  const shown = fit(context, text, room);
+  const shown = room < LEAST / 2 ? "" : fit(text, room);
   if (shown) context.fillText(shown, x, y);
 }
 
 // Whether a line is wide enough that its words stand below it: then it need not say its text.
-export function wordsFit(context, view, act) {
-  context.font = view.theme.label;
-  return width(context, act.label) * 0.6 < (act.end - act.start) * view.axis.scale;
+export function wordsFit(view, act) {
+  return width(act.label) * 0.6 < (act.end - act.start) * view.axis.scale;
 }

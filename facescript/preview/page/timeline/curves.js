@@ -19,12 +19,11 @@ export function curves(context, view, strip) {
     if (column >= DENSE) columns(context, axis, channel, y, column, colour);
     else course(context, axis, channel, y, colour);
   }
-  context.restore();
   context.font = theme.small;
-  context.textBaseline = "alphabetic";
   context.fillStyle = theme.soft;
   context.fillText(amount(strip.most, strip.unit), 4, top + 9);
   context.fillText(amount(strip.least, strip.unit), 4, bottom - 1);
+  context.restore();
 }
 
 // Black lines have the ink's colour, which is light in the dark, as the others are then.

@@ -13,6 +13,11 @@ export function press(view, found, x, y) {
     moved: false, would: "", times: null, asked: 0 };
 }
 
+// The act is another object now.
+export function rebind(view, drag, act) {
+  Object.assign(drag, { act, times: anchors(view, act), ghost: ghost(act, drag.handle, drag.by) });
+}
+
 // The pointer is at x, y. Answers whether the drag has moved.
 export function pull(view, drag, x, y, free, strong) {
   const across = x - drag.x, up = drag.y - y;

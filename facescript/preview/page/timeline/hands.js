@@ -44,6 +44,7 @@ export class Hands {
     const found = find(view, x, y);
     if (y < RULER) this.held = this.loopEdge(x) ?? (event.shiftKey ? this.newLoop(x) : { kind: "scrub" });
     else if (event.pointerType === "touch" && found?.act !== (view.chosen ?? 0)) this.held = { kind: "tap", found };
+    else if (found && !this.line.fresh) this.held = { kind: "tap", found };
     else if (!found) this.held = { kind: "scrub" };
     else this.held = { kind: "act", found, drag: drag.press(view, found, x, y) };
     this.pulled(event);
@@ -95,9 +96,11 @@ export class Hands {
     this.cancel();
   }
 
-  // Another score is there: what was held is no act of it.
-  drop() {
-    if (this.held?.kind === "act") this.held = null;
+  // Another score is there: of the same text, as when a voice has spoken, the act that is held is still there.
+  again(found) {
+    const { held } = this, act = held?.kind === "act" && found(held.drag.act);
+    if (act) return void drag.rebind(this.line.view, held.drag, act);
+    if (held?.kind === "act") this.held = null;
     this.line.letGo();
   }
 

@@ -16,7 +16,9 @@ export function mark(context, view) {
   context.clip();
   context.translate(0, RULER - scrolled);
   for (const act of view.lit) fillBar(context, view, act, 0.4);
+  context.fillStyle = view.theme.ink;
   context.textBaseline = "alphabetic";
+  context.font = view.theme.label;
   for (const act of view.lit) phrase(context, view, place(view, act).strip, act, true);
   spoken(context, view);
   for (const act of view.caret) ring(context, view, act, view.theme.caret, [2, 2]);
@@ -77,7 +79,6 @@ function dragged(context, view, drag) {
 function spoken(context, { words, time, theme }) {
   for (const { word, text, x, y, long } of words) {
     if (time < word.start || time >= word.end) continue;
-    context.font = theme.label;
     context.fillStyle = theme.accent;
     context.beginPath();
     context.roundRect(x - 3, y - 12, long + 6, 16, 4);

@@ -22,6 +22,8 @@ export function paint(context, view) {
   const seen = strips.filter((strip) => strip.top + strip.height > scrolled && strip.top < scrolled + height - RULER);
   for (const strip of seen) ground(context, view, strip);
   grid(context, view);
+  context.font = theme.label;
+  context.textBaseline = "alphabetic";
   for (const strip of seen) PAINTERS[strip.kind](context, view, strip);
   context.restore();
   ruler(context, view);
@@ -71,7 +73,6 @@ function ruler(context, { axis, theme, score, loop }) {
     for (const time of [loop.from, loop.to]) context.fillRect(axis.x(time) - 1, 0, 2, RULER - 1);
   }
   context.font = theme.small;
-  context.textBaseline = "alphabetic";
   context.fillStyle = theme.soft;
   for (const { time, name } of marks) {
     const x = Math.round(axis.x(time));

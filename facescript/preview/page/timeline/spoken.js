@@ -5,7 +5,7 @@ import { fit, width } from "./text.js";
 import { tint } from "./theme.js";
 
 const RATE = 100;  // peaks a second
-const FREE = 5;  // pixels between two words
+const FREE = 5, LONGEST = 240;  // pixels between two words, and of one word at most
 
 // The sound of each line of the lane in its bar.
 export function sound(context, view, strip) {
@@ -14,7 +14,7 @@ export function sound(context, view, strip) {
   context.fillStyle = tint(strip.lane.colour, theme, 0.62);
   for (const act of strip.acts) {
     const left = Math.max(axis.x(act.start), 0), right = Math.min(axis.x(act.end), axis.width);
-    const full = wordsFit(context, view, act), top = topOf(strip, act);
+    const full = wordsFit(view, act), top = topOf(strip, act);
     const high = strip.bar - (full ? 4 : 18), low = top + strip.bar - 2;
     const step = Math.max(1, axis.scale / RATE);
     for (let x = Math.floor(left); x < right; x += step) {
@@ -35,16 +35,15 @@ function loudest(peaks, from, to) {
 // Where each stands is kept for what lights them.
 export function words(context, view, strip) {
   const { axis, theme } = view;
-  context.font = theme.label;
   context.fillStyle = theme.ink;
   const free = Array(strip.rows).fill(-Infinity);
   for (const line of strip.lines) {
     const left = axis.x(line.start), right = axis.x(line.end);
-    if (left > axis.width || right < -100 || width(context, line.text) * 0.6 > right - left) continue;
+    if (left > axis.width || right < -100 || width(line.text) * 0.6 > right - left) continue;
     for (const word of line.words) {
       const x = axis.x(word.start), row = free.findIndex((until) => until <= x);
       if (row < 0 || x > axis.width) continue;
-      const text = fit(context, word.text, 240), long = width(context, text), y = strip.top + (row + 1) * strip.row - 3;
+      const text = fit(word.text, LONGEST), long = width(text), y = strip.top + (row + 1) * strip.row - 3;
       free[row] = x + long + FREE;
       if (x + long < 0) continue;
       context.fillText(text, x, y);

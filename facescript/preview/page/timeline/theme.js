@@ -1,5 +1,7 @@
 // The page's colours to those of the canvas, in light and in dark.
 
+import { measureIn } from "./text.js";
+
 const NAMES = ["paper", "raised", "ink", "soft", "line", "hair", "accent", "beyond", "marker", "caret"];
 
 // Read anew where the reader's light changes: a canvas does not follow the style sheet by itself.
@@ -10,7 +12,7 @@ export function themeOf(element) {
   theme.loop = style.getPropertyValue("--tl-loop").trim();
   theme.label = `12px ${style.fontFamily}`;
   theme.small = `11px ${style.fontFamily}`;
-  theme.bold = `600 12px ${style.fontFamily}`;
+  measureIn(theme.label);
   return theme;
 }
 

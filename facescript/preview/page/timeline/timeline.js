@@ -14,13 +14,15 @@ import { Tools, keys } from "./tools.js";
 
 const TURN = 0.85, BACK = 0.12;  // where in sight the playhead turns the page, and where it then is
 
+const SOON = 3000;  // ms until what an edit makes of the film is there
+
 export class Timeline {
   // `place` is an element of the page, `wire` and `clock` are the page's own.
   constructor(place, wire, clock) {
     this.wire = wire;
     this.clock = clock;
     this.view = { axis: new Axis(), strips: [], scrolled: 0, height: 0, dense: 1, score: null, version: 0, peaks: [],
-      words: [], time: 0, loop: null, lit: [], caret: [], hovered: null, chosen: null, drag: null,
+      words: [], time: 0, loop: null, lit: [], said: [], caret: [], hovered: null, chosen: null, drag: null,
       say: (kind, values) => wire.say(kind, values), letGo: (why) => this.letGo(why) };
     this.curves = new Map();
     this.following = true;
@@ -47,23 +49,23 @@ export class Timeline {
     wire.on("sound", ({ peaks }) => { this.view.peaks = peaks; this.surface.draw(); });
     wire.on("curves", (message) => this.showCurves(message));
     wire.on("lit", ({ from, to }) => this.showCaret(from, to));
-    wire.on("script", ({ text }) => { this.text = text; });
+    wire.on("script", ({ text, version }) => { Object.assign(this, { text, version }); });
     wire.on("would", (edit) => this.answer(written(this.text, edit)));
     wire.on("refused", ({ what, why }) => this.answer(why) || this.letGo([what, why].filter(Boolean).join(": ")));
-    wire.on("edited", () => this.letGo());
+    wire.on("edited", () => this.edited());
     clock.watch((time) => this.tick(time));
   }
 
   // ---------------------------------------------------------------- what is shown
 
   showScore(message) {
-    const { view } = this, before = view.score, chosen = view.chosen;
+    const { view } = this, before = view.score, chosen = view.chosen, same = view.version === message.version;
     const fitted = !before || Math.abs(view.axis.scale - view.axis.fit) < 1e-6;
     view.score = message;
     view.version = message.version;
     view.axis.duration = message.duration;
     view.axis.scale = fitted ? view.axis.fit : Math.max(view.axis.scale, view.axis.fit);
-    this.hands.drop();
+    this.hands.again(same ? (act) => again(before, message, act) : () => null);
     view.hovered = null;
     view.caret = [];
     view.chosen = chosen && again(before, message, chosen);
@@ -100,6 +102,9 @@ export class Timeline {
     this.surface.markLater();
   }
 
+  // Whether the timeline shows the script as it is now: its acts can be dragged.
+  get fresh() { return this.view.version === this.version; }
+
   // ---------------------------------------------------------------- time
 
   tick(time) {
@@ -107,18 +112,21 @@ export class Timeline {
     view.time = time;
     if (!view.score) return;
     if (this.clock.playing) this.follow(false);
-    this.light(false);
-    this.surface.markLater();
+    this.surface.placeHead();
+    if (this.light(false)) this.surface.markLater();
   }
 
-  // What plays now is lit here, and told to whoever else lights it.
+  // What plays now is lit here, and told to whoever else lights it; whether that is another than before.
   light(anew) {
     const { view } = this, { time } = view;
     const lit = view.score.acts.filter((act) => act.start <= time && time < act.end && act.end > act.start);
-    if (!anew && lit.length === view.lit.length && lit.every((act, number) => act === view.lit[number])) return;
-    view.lit = lit;
+    const said = view.words.filter(({ word }) => word.start <= time && time < word.end);
+    if (!anew && same(lit, view.lit) && same(said, view.said)) return false;
+    const others = anew || !same(lit, view.lit);
+    Object.assign(view, { lit, said });
     const places = lit.filter((act) => act.from !== undefined).map(({ from, to }) => ({ from, to }));
-    dispatchEvent(new CustomEvent("facescript-plays", { detail: { version: view.version, places } }));
+    if (others) dispatchEvent(new CustomEvent("facescript-plays", { detail: { version: view.version, places } }));
+    return true;
   }
 
   // Keeps the playhead in sight while it plays, until the reader scrolls away; `again` brings it back.
@@ -165,6 +173,15 @@ export class Timeline {
     return true;
   }
 
+  // The bar stays where it was dragged to until the score that comes of it is there, if one does.
+  edited() {
+    const { drag } = this.view;
+    if (!drag?.given) return;
+    clearTimeout(drag.given);
+    drag.given = setTimeout(() => this.letGo(), SOON);
+    this.note.hide();
+  }
+
   // The drag is over: done, refused with a sentence, or given up.
   letGo(why) {
     clearTimeout(this.view.drag?.given);
@@ -178,6 +195,8 @@ export class Timeline {
     this.wire.say("undo");
   }
 }
+
+const same = (one, other) => one.length === other.length && one.every((each, number) => each === other[number]);
 
 // The line of a text that an edit makes.
 function written(text, { from, to, text: inside }) {
