@@ -132,7 +132,7 @@ def test_curves_are_told_when_asked_for(page: ClientConnection) -> None:
     said(page, "curves", face="ada", channels=["cheek.lower.left", "nothing"])
     told = until(page, lambda message: message["kind"] == "curves")[-1]
     (channel,) = told["channels"]
-    assert channel["name"] == "cheek.lower.left" and channel["most"] > 0.2 and told["every"] <= 0.1
+    assert channel["name"] == "cheek.lower.left" and channel["most"] > 0.2 and channel["every"] <= 0.1
 
 
 @pytest.mark.parametrize(
