@@ -13,6 +13,8 @@ export function faults(link, over, bar, jump) {
   drawer.panel.append(list);
   bar.prepend(drawer.place);
 
+  let played = false;
+  link.on("score", () => { played = true; });
   link.on("diagnostics", ({ items }) => {
     list.replaceChildren(...items.map((item) => make("li", {}, entry(item))));
     if (!items.length) list.append(make("li", { class: "fault-none" }, "Nothing to report."));
@@ -39,7 +41,7 @@ export function faults(link, over, bar, jump) {
 
   function told(errors) {
     const head = errors.length > 1 ? `${errors.length} errors.` : "An error.";
-    const last = make("p", { class: "fault-head" }, `${head} The picture is the last that could be played.`);
-    return [last, entry(errors[0])];
+    const last = played ? " The picture is the last that could be played." : "";
+    return [make("p", { class: "fault-head" }, head + last), entry(errors[0])];
   }
 }

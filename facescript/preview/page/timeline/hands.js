@@ -6,8 +6,11 @@ import { beside } from "./reader.js";
 
 const GRAB = 5;  // pixels from an edge of the loop that take hold of it
 const STEP = 1, PAGE = 5;  // seconds of an arrow with shift, and of a page
-const FIXED = { body: "When this act starts cannot be changed here.", end: "How long this act lasts cannot be changed here.",
-  degree: "How strong this act is cannot be changed here." };
+const FIXED = {
+  body: "When this act starts cannot be changed here.",
+  end: "How long this act lasts cannot be changed here.",
+  degree: "How strong this act is cannot be changed here.",
+};
 const CURSORS = { start: "ew-resize", end: "ew-resize", body: "grab", "": "pointer" };
 
 export class Hands {
