@@ -49,7 +49,8 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--captions", metavar="HOW", help="words or sentences in .vtt and .srt, burn for films")
     parser.add_argument("--font", metavar="FILE", help="with --captions burn: a font that has their signs")
     parser.add_argument("--jobs", metavar="N", help="how many processes draw")
-    parser.add_argument("--page", metavar="TEMPLATE", help="for .html: plain, announcer, book, or an .html of your own")
+    templates = "plain, announcer, book, script, or an .html of your own"
+    parser.add_argument("--page", metavar="TEMPLATE", help=f"for .html: {templates}")
     parser.add_argument("--split", action="store_true", help="for .html: sound and motion in a folder beside it")
     parser.add_argument("--draft", action="store_true", help="half the size, for a quick look")
     parser.add_argument("--quiet", action="store_true", help="no progress")
@@ -128,7 +129,8 @@ def _lsp(parser: argparse.ArgumentParser) -> None:
 
 
 def _preview(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("script", metavar="SCRIPT", help="a .face file, a play in .json, or - for standard input")
+    told = "a .face file, a play in .json, or - for standard input; without one a playground opens"
+    parser.add_argument("script", metavar="SCRIPT", nargs="?", help=told)
     parser.add_argument("--port", metavar="N", help="the port of this machine, where the page is; else a free one")
     parser.add_argument("--open", action="store_true", help="show the page in the browser")
     parser.add_argument(

@@ -12,13 +12,6 @@ def units(text: str) -> int:
     return len(text) if text.isascii() else len(text.encode("utf-16-le", "surrogatepass")) // 2
 
 
-def characters(text: str, count: int) -> int:
-    """The characters in so many UTF-16 units of a text; half of one is none."""
-    if text.isascii():
-        return min(max(count, 0), len(text))
-    return len(text.encode("utf-16-le", "surrogatepass")[: 2 * max(count, 0)].decode("utf-16-le", "ignore"))
-
-
 def position(source: Source, offset: int) -> Position:
     """Line and column (both from 0, columns in UTF-16 units) of an offset in characters."""
     line, column = source.position(offset)
@@ -37,12 +30,16 @@ def offset(source: Source, place: Position) -> int:
     start = source.offset(place.line + 1)
     if start is None:
         return len(source.text)
-    text = source.line(place.line + 1)
-    if text.isascii():
-        return start + min(max(place.character, 0), len(text))
+    return start + column(source.line(place.line + 1), place.character)
+
+
+def column(line: str, count: int) -> int:
+    """The characters of a line, or of any text, that its first UTF-16 units are; of one cut in the middle, none."""
+    if line.isascii():
+        return min(max(count, 0), len(line))
     units = 0
-    for index, sign in enumerate(text):
+    for index, sign in enumerate(line):
         units += 2 if ord(sign) > 0xFFFF else 1
-        if units > place.character:
-            return start + index
-    return start + len(text)
+        if units > count:
+            return index
+    return len(line)

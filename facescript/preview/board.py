@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from facescript.preview.messages import head_of
 
-KEPT = ("script", "diagnostics", "score", "figure", "sound", "editor")
+KEPT = ("editor", "script", "diagnostics", "score", "figure", "sound")
 """Messages that say how things are until the next of their kind."""
 
 FIGURE = ("mean", "ways", "layer")

@@ -10,6 +10,7 @@ from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
 from facescript.backends import page as output
+from facescript.preview.examples import playground
 
 PAGE = Path(__file__).with_name("page")
 
@@ -20,11 +21,15 @@ KINDS = {
     ".html": "text/html; charset=utf-8",
     ".css": "text/css; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
+    ".json": "application/json",
     ".svg": "image/svg+xml",
 }
 
-LIVE = "/live"
-"""Where the page's WebSocket is."""
+LIVE, HELP = "/live", "/lsp"
+"""Where the page's WebSockets are: of what it shows, and of its language server."""
+
+EDITOR = PAGE / "editor.js"
+"""The editor, where `make playground` has built it."""
 
 HOSTS = ("127.0.0.1", "localhost", "[::1]")
 
@@ -45,6 +50,8 @@ HEADERS = {
 
 SOUND = re.compile(r"/sound/(\d{1,10}-\d{1,10}\.wav)", re.ASCII)
 
+SHARED = re.compile(r"/shared/(\d{1,10}\.html)", re.ASCII)
+
 RANGE = re.compile(r"bytes=(\d{1,15})-(\d{0,15})", re.ASCII)
 
 STRETCH = 4 * 1024 * 1024
@@ -52,7 +59,8 @@ STRETCH = 4 * 1024 * 1024
 
 
 class Doors:
-    """The doors of a server at `port`; its sound lies in `folder`. Who has the `key` may show the page in another."""
+    """The doors of a server at `port`; its sound and pages to share lie in `folder`. Who has the `key` may show the
+    page in another."""
 
     def __init__(self, port: int, folder: Path, key: str = "") -> None:
         self._key = key
@@ -60,6 +68,8 @@ class Doors:
         self._folder = folder
         files = (path for path in PAGE.rglob("*") if path.suffix in KINDS)
         self._files = {f"/{path.relative_to(PAGE).as_posix()}": path for path in files}
+        if EDITOR.is_file():
+            self._files["/editor.js"] = EDITOR
 
     def stranger(self, request: Request) -> bool:
         """Whether a request comes from a page of elsewhere, or by a name that is not this machine's own."""
@@ -73,6 +83,11 @@ class Doors:
         path, _, asked = request.path.partition("?")
         if path == "/drawing.js":
             return _found(DRAWING.read_bytes() + b"\nexport { drawing };\n", KINDS[".js"])
+        if path == "/playground.json":
+            return _found(playground(EDITOR.is_file()), KINDS[".json"])
+        shared = SHARED.fullmatch(path)
+        if shared is not None:
+            return self._shared(self._folder / shared[1])
         sound = SOUND.fullmatch(path)
         if sound is not None:
             return self._sound(self._folder / sound[1], request)
@@ -80,6 +95,15 @@ class Doors:
             return self._framed() if asked == f"key={self._key}" else refused(HTTPStatus.FORBIDDEN)
         file = self._files.get("/index.html" if path == "/" else path)
         return refused(HTTPStatus.NOT_FOUND) if file is None else _found(file.read_bytes(), KINDS[file.suffix])
+
+    def _shared(self, path: Path) -> Response:
+        """A page to be kept: a browser does not show it, so that this server's rule for pages does not apply to it."""
+        try:
+            answer = _found(path.read_bytes(), KINDS[".html"])
+        except OSError:
+            return refused(HTTPStatus.NOT_FOUND)
+        answer.headers["Content-Disposition"] = "attachment"
+        return answer
 
     def _framed(self) -> Response:
         """The page, for an editor's window, which frames it."""

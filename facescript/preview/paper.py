@@ -28,15 +28,16 @@ class Edit:
 
 
 class Paper:
-    """The text, and how many there have been: `version`. Without a `path` it came from standard input, and stays."""
+    """The text, and how many there have been: `version`. Without a `path` it came from standard input, and stays, or it
+    is a `scratch`, which nobody keeps."""
 
-    def __init__(self, path: Path | None, text: str) -> None:
-        self.path, self.text, self.version = path, text, 1
+    def __init__(self, path: Path | None, text: str, scratch: bool = False) -> None:
+        self.path, self.text, self.version, self.scratch = path, text, 1, scratch
         self._undone: deque[tuple[str, str]] = deque(maxlen=REMEMBERED)
 
     @property
     def writable(self) -> bool:
-        return self.path is not None
+        return self.path is not None or self.scratch
 
     def read(self) -> bool:
         """Reads the file again; whether it says something else now. One that cannot be read is left for later."""
@@ -88,16 +89,17 @@ class Paper:
 
     def _write(self, text: str) -> None:
         """Only where the file is still what the page shows."""
-        if self.path is None:
+        if not self.writable:
             raise Refusal("it came from standard input")
         if len(text.encode("utf-8", "replace")) > LARGEST_SCRIPT:
             raise Refusal(f"a script has at most {LARGEST_SCRIPT // 1024 // 1024} MiB")
         try:
-            if _read(self.path) != self.text:
+            if self.path is not None and _read(self.path) != self.text:
                 raise Refusal("the file has changed since")
             if decode(text.encode()) != text:
                 raise Refusal("it is not plain text")
-            write_script(self.path, text)
+            if self.path is not None:
+                write_script(self.path, text)
         except (OSError, UnicodeError, WorldFailure) as fault:
             raise Refusal(getattr(fault, "strerror", None) or str(fault) or "the file cannot be written") from None
         self.take(text)

@@ -19,10 +19,12 @@ from websockets.http11 import Request, Response
 
 from facescript.preview.board import Board
 from facescript.preview.borrowed import Borrowed
-from facescript.preview.doors import LIVE, Doors, refused
+from facescript.preview.doors import HELP, LIVE, Doors, refused
 from facescript.preview.editor import Editor
+from facescript.preview.help import Helpers
 from facescript.preview.messages import Message, head_of, is_text, text
 from facescript.preview.paper import Edit, Paper, Refusal
+from facescript.preview.share import Sharing
 from facescript.preview.watch import changes
 from facescript.preview.workshop import Workshop
 from facescript.world import LARGEST_SCRIPT, World, WorldFailure
@@ -56,6 +58,7 @@ TAKEN: Mapping[str, Mapping[str, tuple[type, ...]]] = {
     "drag": {"version": (int,), "id": (int,), "handle": (str,), "by": MAYBE, "degree": MAYBE, "done": (bool,)},
     "jump": {"from": (int,), "to": (int,)},
     "undo": {},
+    "share": {},
 }
 """What a page may say: the kinds, and what belongs to each."""
 
@@ -105,6 +108,7 @@ class Preview:
         self._board, self._guests = Board(), set[Guest]()
         self._left = time.monotonic()
         self._used: list[str] = []
+        self._sharing = Sharing(world.root, name, folder)
         self._loop = asyncio.get_running_loop()
         self._workshop = self._opened()
         self._tell(text("editor", connected=editor is not None))
@@ -114,7 +118,9 @@ class Preview:
         """The script is another now: pages and workshop are told."""
         paper = self._paper
         about = {"version": paper.version, "text": paper.text}
-        self._tell(text("script", name=self._name, writable=paper.writable, **about))
+        root = self._world.root.absolute()
+        place = {"root": root.as_uri(), "uri": (root / self._name).as_uri(), "scratch": paper.scratch}
+        self._tell(text("script", name=self._name, writable=paper.writable, **place, **about))
         self._workshop.tell({"kind": "text", **about})
 
     async def watch(self) -> None:
@@ -231,7 +237,9 @@ class Preview:
             guest.tell(text("refused", what="", why="it is no message of this page"))
             return
         kind = message["kind"]
-        if kind == "jump":
+        if kind == "share":
+            self._sharing.share(self._paper.text, guest.tell)
+        elif kind == "jump":
             if self._editor is not None:
                 self._editor.tell(**message)  # type: ignore[arg-type]
         elif kind not in ("text", "undo"):
@@ -287,16 +295,20 @@ async def run(
         folder = Path(made)
         doors: list[Doors] = []
         pages: list[Preview] = []
+        helpers = Helpers()
 
         def request(connection: ServerConnection, asked: Request) -> Response | None:
             if doors[0].stranger(asked):
                 return refused(HTTPStatus.FORBIDDEN)
+            if asked.path == HELP:
+                return None
             if asked.path != LIVE:
                 return doors[0].answer(asked)
             return refused(HTTPStatus.SERVICE_UNAVAILABLE) if pages[0].full else None
 
         async def receive(connection: ServerConnection) -> None:
-            await pages[0].receive(connection)
+            assert connection.request is not None
+            await (helpers.help if connection.request.path == HELP else pages[0].receive)(connection)
 
         async with serve(
             receive,

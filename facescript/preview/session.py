@@ -14,6 +14,8 @@ from typing import cast
 
 from facescript.backends.job import Job
 from facescript.compile import Compiled, Settings
+from facescript.diagnostics.catalogue import diagnose
+from facescript.diagnostics.model import Diagnostic
 from facescript.pictures import PictureFailure
 from facescript.preview.curves import curves
 from facescript.preview.faults import told
@@ -37,7 +39,7 @@ ASKED = 64
 
 @dataclass(frozen=True, slots=True)
 class ReadWorld(World):
-    """A project that keeps in mind which of its files were read."""
+    """A project that keeps in mind which of its files were read, or looked for."""
 
     names: set[str] = field(default_factory=set, hash=False, compare=False)
 
@@ -94,6 +96,8 @@ class Session:
     def step(self) -> Iterator[bytes]:
         """Does a little; what the page is told of it."""
         if self._text is not None:
+            if self._text[1] == self._read[1]:
+                self._recompiler = Recompiler()  # a file that the script uses is another: nothing is as it was
             self._read, self._text = self._text, None
             yield from self._compile()
         elif self._fresh:
@@ -120,12 +124,11 @@ class Session:
     def _compile(self) -> Iterator[bytes]:
         version, script = self._read
         source, units = Source(self._name, script), Units(script)
-        self._world.names.clear()
         self._voice.begin()
         self._hands = None
         compiled = self._compiled(source)
         yield text("used", files=sorted(self._world.names))
-        yield text("diagnostics", version=version, items=told(compiled.diagnostics, source, units))
+        yield text("diagnostics", version=version, items=told(self._faults(compiled), source, units))
         if compiled.score is None or compiled.play is None or compiled.score.duration <= 0:
             return
         score, before = compiled.score, self._good
@@ -142,6 +145,12 @@ class Session:
         yield text("score", version=version, **told_of, playhead=playhead, was=was)
         yield from self._frames.show(job, version)
         self._mixing, self._fresh = self._sound.mix(score, version), True
+
+    def _faults(self, compiled: Compiled) -> Iterator[Diagnostic]:
+        """What the compiler says, and that a script of definitions alone cannot be played."""
+        yield from compiled.diagnostics
+        if compiled.score is not None and compiled.score.duration <= 0:
+            yield diagnose("FS911", None, name=self._name)
 
     def _compiled(self, source: Source) -> Compiled:
         if is_play(source):

@@ -18,13 +18,26 @@ from websockets.sync.client import ClientConnection, connect
 Message = dict[str, Any]
 
 
-class Serving:
-    """A preview of `text` in a file of `folder`, on a port of its own."""
+WITH_EDITOR = """
+from pathlib import Path
+from facescript.cli.main import program
+from facescript.preview import doors
+doors.EDITOR = Path({editor!r})
+program()
+"""
 
-    def __init__(self, folder: Path, text: str, *words: str) -> None:
+
+class Serving:
+    """A preview of `text` in a file of `folder`, or without a text the playground, on a port of its own; `editor` is
+    the bundle that stands for `editor.js`."""
+
+    def __init__(self, folder: Path, text: str | None, *words: str, editor: Path | None = None) -> None:
         self.script = folder / "script.face"
-        self.script.write_text(text, "utf-8")
-        command = [sys.executable, "-m", "facescript.cli.main", "preview", str(self.script), "--port", "0", *words]
+        program = ["-m", "facescript.cli.main"] if editor is None else ["-c", WITH_EDITOR.format(editor=str(editor))]
+        command = [sys.executable, *program, "preview", "--port", "0", *words]
+        if text is not None:
+            self.script.write_text(text, "utf-8")
+            command.append(str(self.script))
         self.process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, text=True, env=dict(os.environ))
         assert self.process.stdout is not None
         found = re.search(r"http://127\.0\.0\.1:(\d+)/", self.process.stdout.readline())

@@ -70,6 +70,7 @@ def placeholders(job: Job, said: Sequence[Line]) -> dict[str, str]:
         "title": escape(title),
         "author": escape(job.score.film.author),
         "language": escape(said[0].language if said else "en"),
+        "script": escape(job.page.script),
         "face": _face(job, title),
         "controls": resource("controls.html"),
         "text": '<div class="fs-text" data-facescript="text" role="region" aria-label="Text">\n'

@@ -11,17 +11,11 @@ from typing import Any
 from lsprotocol import types
 from pygls.uris import to_fs_path
 
-from facescript.lsp.places import characters, offset, position, units
+from facescript.lsp.offered import CARET, PREVIEW
+from facescript.lsp.places import column, offset, position, units
 from facescript.lsp.previews import Message, NoPreview, Preview, preview
 from facescript.lsp.server import FaceServer
 from facescript.text import Source
-
-PREVIEW = "facescript.preview"
-"""The command: the document's address; a time to play from, or null; false where the client shows the page itself.
-Answers the page's address, null where there is none."""
-
-CARET = "facescript/caret"
-"""The client's word of where the caret is: `TextDocumentPositionParams`."""
 
 PAUSE = 0.05
 """Seconds between two texts that are handed on."""
@@ -103,7 +97,7 @@ class Showing:
 
     async def _hear(self, uri: str, message: Message) -> None:
         source = self._server.desk.source(uri)
-        first, last = (characters(source.text, int(str(message[edge]))) for edge in ("from", "to"))
+        first, last = (column(source.text, int(str(message[edge]))) for edge in ("from", "to"))
         where = types.Range(position(source, first), position(source, last))
         if message["kind"] == "jump":
             await self._jump(uri, where)

@@ -4,6 +4,7 @@ import { clock } from "./clock.js";
 import { controls } from "./controls.js";
 import { faults } from "./faults.js";
 import { figure } from "./figure.js";
+import { source } from "./source.js";
 import { Timeline } from "./timeline/timeline.js";
 import { wire } from "./wire.js";
 
@@ -19,6 +20,7 @@ time.watch((now) => one("face").classList.toggle("waiting", !picture.draw(now)))
 controls(time, one("controls"));
 const line = new Timeline(one("timeline"), link, time);
 faults(link, one("faults"), line.tools.place, jump);
+source(link, one("source"), one("source-button"), time);
 
 link.on("state", ({ state }) => {
   one("state").textContent = state === "connected" ? "" : "the server is gone; looking for it";

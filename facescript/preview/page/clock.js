@@ -67,7 +67,7 @@ export function clock(audio) {
   }
 
   function redraw() {
-    if (!due) due = requestAnimationFrame(() => { due = false; show(now()); });
+    if (!due && !playing) due = requestAnimationFrame(() => { due = false; show(now()); });
   }
 
   function show(time) {

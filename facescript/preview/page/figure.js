@@ -5,7 +5,7 @@ import { drawing } from "./drawing.js";
 // The picture in `place`, told by `link`. `draw(time)` draws it where its frames are there; whenever they come,
 // `redraw` is called.
 export function figure(link, place, redraw) {
-  let shown = null, next = null, drawn = -1, version = 0;
+  let shown = null, next = null, drawn = -1, version = 0, wanted = 0;  // the chunk that is looked at
 
   link.on("figure", (message) => {
     version = message.version;
@@ -19,7 +19,8 @@ export function figure(link, place, redraw) {
     if (made) Object.assign(made.film.faces[face], { x: numbers.subarray(0, half), y: numbers.subarray(half) });
   });
   link.on("ways", ({ figure: name, face, count, numbers }) => {
-    const made = of(name), size = numbers.length / count / 2, row = (at) => numbers.subarray(at * size, (at + 1) * size);
+    const made = of(name), size = numbers.length / count / 2;
+    const row = (at) => numbers.subarray(at * size, (at + 1) * size);
     for (let way = 0; made && way < count; way++) made.film.faces[face].moves.push([row(2 * way), row(2 * way + 1)]);
   });
   link.on("layer", ({ figure: name, layer }) => { of(name)?.film.layers.push(layer); });
@@ -27,12 +28,12 @@ export function figure(link, place, redraw) {
     const made = of(message.figure);
     if (!made) return;
     made.chunks.set(message.chunk, chunkOf(message, made.film));
-    redraw();
+    if (made === next || message.chunk === wanted) redraw();
   });
   link.on("kept", ({ version: now, chunks }) => {
     for (const made of [shown, next])
       for (const number of chunks) if (made?.chunks.has(number)) made.chunks.get(number).version = now;
-    redraw();
+    if (chunks.includes(wanted)) redraw();
   });
   link.on("forget", ({ chunks }) => {
     for (const made of [shown, next]) for (const number of chunks) made?.chunks.delete(number);
@@ -49,7 +50,7 @@ export function figure(link, place, redraw) {
   function find(made, time) {
     const { fps, frames, chunk } = made.film, at = Math.min(Math.max(time * fps, 0), frames - 1.0001);
     const frame = Math.floor(at), number = Math.floor(frame / chunk);
-    return { part: made.chunks.get(number), here: frame - number * chunk, share: at - frame };
+    return { number, part: made.chunks.get(number), here: frame - number * chunk, share: at - frame };
   }
 
   // The next figure takes the place of the one that is shown as soon as the picture at the time is there.
@@ -67,7 +68,8 @@ export function figure(link, place, redraw) {
   function draw(time) {
     change(time);
     if (!shown || !shown.picture.ready) return false;
-    const { part, here, share } = find(shown, time);
+    const { number, part, here, share } = find(shown, time);
+    wanted = number;
     if (!part) return false;
     shown.picture.take(part.rows, part.ways, here, part.cuts.has(here + 1) ? 0 : share);
     shown.picture.paint(part.grounds, here + share);

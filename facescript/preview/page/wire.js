@@ -2,8 +2,9 @@
 
 const QUICKEST = 250, SLOWEST = 4000;  // ms until it is tried again
 
-// A wire: `on(kind, act)` calls `act` with each message of a kind, `say(kind, values)` sends one, `drop()` lets go of
-// the socket; `state` is told of "connected" and "lost". A message with numbers has them as `numbers`, a Float32Array.
+// A wire: `on(kind, act)` calls `act` with each message of a kind, `say(kind, values)` sends one, which listeners on
+// "said KIND" hear too; `tell(kind, message)` tells listeners as if the server had said it, `drop()` lets go of the
+// socket; `state` is told of "connected" and "lost". A message with numbers has them as `numbers`, a Float32Array.
 export function wire(address) {
   const listeners = new Map();
   let socket, pause = QUICKEST;
@@ -29,7 +30,9 @@ export function wire(address) {
     open,
     drop() { socket.close(); },
     on(kind, act) { listeners.set(kind, [...listeners.get(kind) || [], act]); },
+    tell: emit,
     say(kind, values = {}) {
+      emit(`said ${kind}`, values);
       if (socket && socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify({ kind, ...values }));
     },
   };
