@@ -8,10 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import Page
-from previewing import served
+from accessible import faults
+from chromium import Page, program
+from serving import Serving
 
-pytestmark = pytest.mark.xdist_group("timeline")
+pytestmark = [
+    pytest.mark.xdist_group("preview"),
+    pytest.mark.skipif(program() is None, reason="no Chromium on this machine"),
+]
 
 SCRIPT = """\
 film 96x54, 30fps
@@ -29,27 +33,28 @@ addEventListener("unhandledrejection", (event) => wrong.push(String(event.reason
 addEventListener("securitypolicyviolation", (event) => wrong.push(event.blockedURI + " " + event.violatedDirective));
 addEventListener("facescript-plays", ({ detail }) => { window.plays = detail.places; });
 """
-READY = "window.facescript?.line.view.score && facescript.line.view.peaks.length && facescript.line.view.axis.scale"
+READY = "window.facescript?.line.view.peaks.length && facescript.line.view.score.lines.length && facescript.line.fresh"
 VIEW = "facescript.line.view"
 ALT, CTRL, SHIFT = 1, 2, 8
 
 
-@pytest.fixture(scope="module")
-def script(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("timeline") / "tea.face"
+@pytest.fixture
+def script(serving: Serving) -> Path:
+    return serving.script
 
 
 @pytest.fixture(scope="module")
-def browser(script: Path) -> Iterator[Page]:
-    script.write_text(SCRIPT, "utf-8")
-    with served(script.parent, script.name) as address, Page("about:blank#", 1280, 800) as page:
+def browser(serving: Serving) -> Iterator[Page]:
+    before = serving.script.read_text("utf-8")
+    serving.script.write_text(SCRIPT, "utf-8")
+    with Page("about:blank#", 1280, 800) as page:
         page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
-        page.call("Page.navigate", url=address)
+        page.call("Page.navigate", url=serving.address)
         until(page, READY)
         page.run("for (const kind of ['would', 'refused']) facescript.link.on(kind, (each) => heard.push(each)), 0")
         yield page
         assert page.run("window.wrong") == []
-        assert page.run("performance.getEntriesByType('resource').every(({name}) => name.startsWith(location.origin))")
+    serving.script.write_text(before, "utf-8")
 
 
 @pytest.fixture
@@ -139,16 +144,13 @@ def test_what_plays_is_lit_here_and_told(page: Page) -> None:
 
 
 def test_a_click_chooses_an_act_and_jumps_to_its_line(page: Page) -> None:
-    page.run(
-        "facescript.link.jumps = [], facescript.line.wire = {say: (...said) => facescript.link.jumps.push(said)}, 0"
-    )
+    page.run("window.jumps = [], facescript.link.on('said jump', (each) => jumps.push(each)), 0")
     x, y = place(page, "smile", "middle")
     mouse(page, "mouseMoved", x, y)
-    assert "tea.face:4" in page.run("document.querySelector('.tl-note').textContent")
+    assert "script.face:4" in page.run("document.querySelector('.tl-note').textContent")
     page.click(round(x), round(y))
     smile = act(page, "smile")
-    assert page.run("facescript.link.jumps") == [["jump", {"from": smile["from"], "to": smile["to"]}]]
-    page.run("facescript.line.wire = facescript.link, 0")
+    assert page.run("jumps.map(({from, to}) => [from, to])") == [[smile["from"], smile["to"]]]
     assert page.run(f"{VIEW}.chosen.label") == smile["label"]
 
 
@@ -263,3 +265,13 @@ def test_a_screen_reader_finds_its_way(page: Page) -> None:
     }
     assert wanted <= found
     assert any(role == "option" and name.startswith("show smile") for role, name in found)
+
+
+def test_axe_finds_nothing_in_it(page: Page) -> None:
+    page.run(f"facescript.line.choose({VIEW}.score.acts[0]), facescript.line.loop.set(1, 2)")
+    page.run("document.querySelectorAll('.tl-more > .tl-tool').forEach((button) => button.click())")
+    for theme in ("light", "dark"):
+        page.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": theme}])
+        assert faults(page) == [], theme
+    page.call("Emulation.setEmulatedMedia", features=[])
+    page.run("document.body.dispatchEvent(new PointerEvent('pointerdown', {bubbles: true})), 0")
