@@ -74,7 +74,7 @@ export class Timeline {
     for (const face of this.curves.keys()) this.askCurves(face);
     this.lay();
     this.reader.lay(view);
-    this.light(true);
+    this.light();
   }
 
   lay() {
@@ -113,20 +113,17 @@ export class Timeline {
     if (!view.score) return;
     if (this.clock.playing) this.follow(false);
     this.surface.placeHead();
-    if (this.light(false)) this.surface.markLater();
+    if (this.light()) this.surface.markLater();
   }
 
-  // What plays now is lit here, and told to whoever else lights it; whether that is another than before.
-  light(anew) {
+  // What plays and what is heard now is lit; answers whether that is another than before.
+  light() {
     const { view } = this, { time } = view;
     const lit = view.score.acts.filter((act) => act.start <= time && time < act.end && act.end > act.start);
     const said = view.words.filter(({ word }) => word.start <= time && time < word.end);
-    if (!anew && same(lit, view.lit) && same(said, view.said)) return false;
-    const others = anew || !same(lit, view.lit);
+    const others = !same(lit, view.lit) || !same(said, view.said);
     Object.assign(view, { lit, said });
-    const places = lit.filter((act) => act.from !== undefined).map(({ from, to }) => ({ from, to }));
-    if (others) dispatchEvent(new CustomEvent("facescript-plays", { detail: { version: view.version, places } }));
-    return true;
+    return others;
   }
 
   // Keeps the playhead in sight while it plays, until the reader scrolls away; `again` brings it back.
