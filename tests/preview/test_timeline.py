@@ -147,7 +147,7 @@ def test_a_click_chooses_an_act_and_jumps_to_its_line(page: Page) -> None:
     page.run("window.jumps = [], facescript.link.on('said jump', (each) => jumps.push(each)), 0")
     x, y = place(page, "smile", "middle")
     mouse(page, "mouseMoved", x, y)
-    assert "script.face:4" in page.run("document.querySelector('.tl-note').textContent")
+    until(page, "document.querySelector('.tl-note').textContent.includes('script.face:4')")
     page.click(round(x), round(y))
     smile = act(page, "smile")
     assert page.run("jumps.map(({from, to}) => [from, to])") == [[smile["from"], smile["to"]]]
@@ -228,6 +228,26 @@ def test_keys_walk_over_the_acts_and_move_them(page: Page, script: Path) -> None
     assert read.startswith("show smile 60% for 2s, 0.") and read.endswith("line 4")
     press(page, "ArrowUp", ALT)
     written(script, page, "show smile 65% for 2s")
+
+
+def test_two_fingers_zoom(page: Page) -> None:
+    x, y = place(page, "nod", "middle")
+
+    def touch(kind: str, *fingers: float) -> None:
+        points = [{"x": x + finger, "y": y, "id": number} for number, finger in enumerate(fingers)]
+        page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+
+    touch("touchStart", -40, 40)
+    for apart in (40, 60, 80):
+        touch("touchMove", -apart, apart)
+    touch("touchEnd")
+    until(page, f"Math.abs({VIEW}.axis.scale / {VIEW}.axis.fit - 2) < 0.1")
+
+
+def test_what_plays_stays_in_sight(page: Page) -> None:
+    page.run("facescript.line.surface.zoom(20, 0), facescript.time.seek(0.3), facescript.time.play()")
+    until(page, f"{VIEW}.axis.left > 0 && {VIEW}.axis.x({VIEW}.time) < 0.9 * {VIEW}.axis.width")
+    page.run("facescript.time.pause()")
 
 
 def test_curves_are_drawn_for_the_channels_that_are_ticked(page: Page) -> None:

@@ -36,9 +36,6 @@ export class Timeline {
     this.tools = new Tools(bar, this);
     this.chooser = new Chooser(this.tools.curves.panel, (face) => this.askCurves(face));
     this.hands = new Hands(this);
-    for (const kind of ["pointerdown", "wheel"]) {
-      this.surface.scroller.addEventListener(kind, () => { this.following = false; }, { capture: true, passive: true });
-    }
     keys(this);
     this.listen();
   }
@@ -54,6 +51,7 @@ export class Timeline {
     wire.on("refused", ({ what, why }) => this.answer(why) || this.letGo([what, why].filter(Boolean).join(": ")));
     wire.on("edited", () => this.edited());
     clock.watch((time) => this.tick(time));
+    clock.changed(() => { if (clock.playing) this.following = true; });
   }
 
   // ---------------------------------------------------------------- what is shown
@@ -153,7 +151,7 @@ export class Timeline {
   point(act, x = 0, y = 0) {
     if (act !== this.view.hovered) this.surface.markLater();
     this.view.hovered = act;
-    if (!this.view.drag) act ? this.note.show(act.note.split("\n"), x, y) : this.note.hide();
+    if (!this.view.drag) act ? this.note.hint(act.note.split("\n"), x, y) : this.note.hide();
   }
 
   showDrag(x, y) {
