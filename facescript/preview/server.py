@@ -49,6 +49,9 @@ FORSAKEN = 60.0
 AGAIN = 1.0
 """Seconds until a process that ended is begun again."""
 
+LARGEST = 1e9
+"""No number of a page is as large: seconds of a film, places in a text."""
+
 Number = (int, float)
 MAYBE = (int, float, type(None))
 TAKEN: Mapping[str, Mapping[str, tuple[type, ...]]] = {
@@ -279,9 +282,14 @@ def understood(said: str | bytes) -> Message | None:
     if not isinstance(message, dict):
         return None
     wanted = TAKEN.get(str(message.get("kind")))
-    if wanted is None or not all(type(message.get(name)) in types for name, types in wanted.items()):
+    if wanted is None or not all(_fits(message.get(name), types) for name, types in wanted.items()):
         return None
     return {name: message[name] for name in ("kind", *wanted)}
+
+
+def _fits(value: object, types: tuple[type, ...]) -> bool:
+    """Whether a value is of one of the types; a number, one that can be counted with."""
+    return type(value) in types and (not isinstance(value, int | float) or abs(value) < LARGEST)
 
 
 async def run(

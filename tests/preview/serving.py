@@ -56,7 +56,10 @@ class Serving:
         """A page's WebSocket, as it says that it comes from the server's own page."""
         origin = self.address.rstrip("/")
         address = f"ws://127.0.0.1:{self.port}/live"
-        return connect(address, **{"origin": origin, "max_size": None, "compression": None, "legacy": True, **options})
+        return connect(
+            address,
+            **{"origin": origin, "max_size": None, "max_queue": None, "compression": None, "legacy": True, **options},
+        )
 
 
 def read(message: str | bytes) -> Message:

@@ -136,7 +136,17 @@ def test_curves_are_told_when_asked_for(page: ClientConnection) -> None:
 
 
 @pytest.mark.parametrize(
-    "nonsense", ["{", "[]", '{"kind": "text"}', '{"kind": "playhead", "time": "1", "playing": 1}', b"\0"]
+    "nonsense",
+    [
+        "{",
+        "[]",
+        "[" * 100_000,
+        '{"kind": "text"}',
+        '{"kind": "playhead", "time": "1", "playing": 1}',
+        '{"kind": "playhead", "time": NaN, "playing": true}',
+        '{"kind": "playhead", "time": 1e999, "playing": true}',
+        b"\0",
+    ],
 )
 def test_nonsense_is_passed_over(page: ClientConnection, nonsense: str | bytes) -> None:
     page.send(nonsense)
