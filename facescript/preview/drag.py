@@ -64,8 +64,9 @@ class Drags:
             tries = self._tries(act)
         except Stuck:
             return {}
-        found = self._starts(tries)
-        if tries.may_end():
+        ends = tries.may_end()
+        found = self._starts(tries, ends)
+        if ends:
             found["end"] = {"least": act.start + SHORTEST, "most": LATEST}
         try:
             strong = degree(tries.said)
@@ -98,8 +99,8 @@ class Drags:
         """Raises `Stuck` where the statement of an act may not be changed."""
         return Tries(self._allowed.said(act), act, act.start - self._score.scenes[act.scene].start)
 
-    def _starts(self, tries: Tries) -> dict[str, Range]:
-        """The handles that move an act's start."""
+    def _starts(self, tries: Tries, ends: bool) -> dict[str, Range]:
+        """The handles that move an act's start; `ends` is whether its end may be dragged."""
         act = tries.act
         try:
             forward = min(way.least for way in tries.starts())
@@ -109,7 +110,7 @@ class Drags:
         found: dict[str, Range] = {"body": {"least": least, "most": LATEST}}
         if not tries.has_length():
             return {"start": {"least": least, "most": LATEST}, **found}
-        return {"start": {"least": least, "most": end_of(act) - SHORTEST}, **found} if tries.may_end() else found
+        return {"start": {"least": least, "most": end_of(act) - SHORTEST}, **found} if ends else found
 
     def _made(self, attempt: Try, again: Again) -> Change:
         """The edit, once it brings about what is wished. Raises `Stuck`."""

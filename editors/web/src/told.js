@@ -16,7 +16,7 @@ export const asker = ViewPlugin.fromClass(class {
   }
 
   update({ docChanged, viewportChanged }) {
-    if (docChanged || viewportChanged) this.later(docChanged ? PAUSE : 2 * PAUSE);
+    if (docChanged || viewportChanged) this.later(PAUSE);
   }
 
   destroy() {
@@ -32,9 +32,11 @@ export const asker = ViewPlugin.fromClass(class {
     const plugin = LSPPlugin.get(this.view), { doc } = this.view.state;
     if (!plugin?.client.connected) return;  // it is asked when it comes
     plugin.client.sync();
-    const [faults, times] = await Promise.all([faultsOf(plugin, doc), timesOf(plugin, this.view)]);
+    const known = this.known === doc;  // what is wrong with it: to say it again would close what is shown of it
+    const [faults, times] = await Promise.all([known || faultsOf(plugin, doc), timesOf(plugin, this.view)]);
     if (this.view.state.doc !== doc) return;  // a later edit asks again
-    this.view.dispatch({ effects: setTimes.of(times) }, setDiagnostics(this.view.state, faults));
+    this.view.dispatch({ effects: setTimes.of(times) });
+    if (!known) this.known = doc, this.view.dispatch(setDiagnostics(this.view.state, faults));
   }
 });
 

@@ -20,6 +20,9 @@ from facescript.text import Source
 PAUSE = 0.05
 """Seconds between two texts that are handed on."""
 
+MOST = 8
+"""Scripts that have a preview at once: each is a process that draws."""
+
 TITLE = "drag in the preview"
 
 
@@ -70,8 +73,10 @@ class Showing:
         if find_spec("websockets") is None:
             raise NoPreview('it needs an extra: pip install "facescript[preview]"')
         path = Path(to_fs_path(uri) or "")
-        if not uri.startswith("file:") or not path.is_file():
+        if uri not in self._server.workspace.text_documents or not uri.startswith("file:") or not path.is_file():
             raise NoPreview("the script has to be saved first")
+        if len(self._pages) >= MOST:
+            raise NoPreview(f"{MOST} scripts have one already; close a page, and try again in a minute")
 
         def hear(message: Message) -> None:
             task = asyncio.create_task(self._hear(uri, message))

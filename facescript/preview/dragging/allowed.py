@@ -31,10 +31,11 @@ class Said:
 
     def modifier(self, name: str) -> Words | None:
         """The words of a modifier's value; None where it is not written."""
+        row = {name: MODIFIERS[name]}
         for number, phrase in enumerate(self.phrases):
             for place, words in enumerate(segments(phrase.words)):
-                row, value = match(words, MODIFIERS) if number or place else (None, ())
-                if row is not None and row.name == name:
+                found, value = match(words, row) if number or place else (None, ())
+                if found is not None:
                     return value
         return None
 

@@ -22,6 +22,9 @@ Block = (
 Unit = tree.Item | tree.On
 """What stands in a block."""
 
+MOVING = (tree.Act, tree.Cast, tree.Group, tree.Repeat)
+"""What moves a sequence on."""
+
 
 @dataclass(frozen=True, slots=True)
 class Level:
@@ -41,12 +44,12 @@ class Level:
     @property
     def before(self) -> Unit | None:
         """What it follows in its sequence; what stands at a moment moves nothing on."""
-        return self._next(reversed(self.body[: self.index]))
+        return self._next(range(self.index - 1, -1, -1))
 
     @property
     def after(self) -> Unit | None:
         """What follows it in its sequence."""
-        return self._next(self.body[self.index + 1 :])
+        return self._next(range(self.index + 1, len(self.body)))
 
     @property
     def apart(self) -> bool:
@@ -58,12 +61,10 @@ class Level:
         """Whether it starts with all others of its block."""
         return isinstance(self.block, tree.Group) and self.block.kind == "together"
 
-    def _next(self, units: Iterable[Unit]) -> Unit | None:
-        return None if self.apart else next((unit for unit in units if _moves_on(unit)), None)
-
-
-def _moves_on(unit: Unit) -> bool:
-    return isinstance(unit, tree.Act | tree.Cast | tree.Group | tree.Repeat)
+    def _next(self, indexes: Iterable[int]) -> Unit | None:
+        if self.apart:
+            return None
+        return next((self.body[index] for index in indexes if isinstance(self.body[index], MOVING)), None)
 
 
 @dataclass(frozen=True, slots=True)

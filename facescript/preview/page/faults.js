@@ -13,6 +13,8 @@ export function faults(link, over, bar, jump) {
   drawer.panel.append(list);
   bar.prepend(drawer.place);
 
+  let played = false;
+  link.on("score", () => { played = true; });
   link.on("diagnostics", ({ items }) => {
     list.replaceChildren(...items.map((item) => make("li", {}, entry(item))));
     if (!items.length) list.append(make("li", { class: "fault-none" }, "Nothing to report."));
@@ -29,16 +31,17 @@ export function faults(link, over, bar, jump) {
     const where = !item.line ? "" : inside ? `line ${item.line}` : `${item.file}:${item.line}`;
     const text = make("span", {}, item.message);
     if (item.help) text.append(make("span", { class: "fault-help" }, item.help));
-    const sign = make("span", { class: "fault-sign", "data-severity": item.severity }, NAMES[item.severity]);
+    const kind = { class: "fault", "data-severity": item.severity };
+    const sign = make("span", { class: "fault-sign" }, NAMES[item.severity]);
     const code = make("span", { class: "fault-code" }, item.code), parts = [sign, code, text];
     parts.push(make("span", { class: "fault-code" }, where));
-    if (!inside) return make("div", { class: "fault" }, ...parts);
-    return make("button", { type: "button", class: "fault", onclick: () => jump(item.start, item.end) }, ...parts);
+    if (!inside) return make("div", kind, ...parts);
+    return make("button", { ...kind, type: "button", onclick: () => jump(item.start, item.end) }, ...parts);
   }
 
   function told(errors) {
     const head = errors.length > 1 ? `${errors.length} errors.` : "An error.";
-    const last = make("p", { class: "fault-head" }, `${head} The picture is the last that could be played.`);
-    return [last, entry(errors[0])];
+    const last = played ? " The picture is the last that could be played." : "";
+    return [make("p", { class: "fault-head" }, head + last), entry(errors[0])];
   }
 }

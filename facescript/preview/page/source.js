@@ -49,7 +49,7 @@ class Source {
     this.#furnish(examples, built);
     this.editor = new made(this.text, {
       text: script.text, label: `Script ${script.name}`, editable: script.writable,
-      edited: () => { this.shared.touch(), this.#later(PAUSE); }, save: () => this.#save(),
+      edited: () => this.#edited(), save: () => this.#save(),
       caret: (at) => link.tell("lit", { from: at, to: at }),
     });
     this.shared = new Shared({
@@ -140,9 +140,11 @@ class Source {
     if (key !== this.#lit) this.#lit = key, this.editor.light(stretches);
   }
 
-  #later(pause) {
+  #edited() {
+    this.shared.touch();
+    this.#lit = null;  // marks may have gone with their lines
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => this.shared.flush(), pause);
+    this.#timer = setTimeout(() => { this.shared.flush(), this.#light(this.time.now()); }, PAUSE);
   }
 
   // Whatever is written is in the file soon; who asks for it has it at once, and is told.

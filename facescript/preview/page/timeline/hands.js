@@ -4,10 +4,14 @@ import * as drag from "./drag.js";
 import { RULER } from "./paint.js";
 import { beside } from "./reader.js";
 
+const FASTEST = 40;  // pixels that are scrolled for a move over the edge, at most
 const GRAB = 5;  // pixels from an edge of the loop that take hold of it
 const STEP = 1, PAGE = 5;  // seconds of an arrow with shift, and of a page
-const FIXED = { body: "When this act starts cannot be changed here.", end: "How long this act lasts cannot be changed here.",
-  degree: "How strong this act is cannot be changed here." };
+const FIXED = {
+  body: "When this act starts cannot be changed here.",
+  end: "How long this act lasts cannot be changed here.",
+  degree: "How strong this act is cannot be changed here.",
+};
 const CURSORS = { start: "ew-resize", end: "ew-resize", body: "grab", "": "pointer" };
 
 export class Hands {
@@ -18,7 +22,8 @@ export class Hands {
     sight.addEventListener("pointerdown", (event) => this.down(event));
     sight.addEventListener("pointermove", (event) => this.move(event));
     sight.addEventListener("pointerup", (event) => this.up(event));
-    sight.addEventListener("pointercancel", () => this.cancel());
+    sight.addEventListener("pointercancel", () => this.away());
+    scroller.addEventListener("pointerdown", (event) => { if (event.target === scroller) line.following = false; });
     sight.addEventListener("pointerleave", () => this.held || line.point(null));
     sight.addEventListener("dblclick", (event) => this.double(event));
     scroller.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
@@ -52,12 +57,21 @@ export class Hands {
 
   move(event) {
     const { view } = this.line;
-    if (this.held) return this.pulled(event);
+    if (this.held) return this.beyond(event), this.pulled(event);
     if (!view.score) return undefined;
     const [x, y] = this.at(event), found = find(view, x, y);
     const edge = y < RULER && this.loopEdge(x);
     this.line.surface.sight.style.cursor = edge ? "ew-resize" : found ? CURSORS[found.handle] : "default";
     return this.line.point(found?.act ?? null, x, y);
+  }
+
+  // Over an edge of what is in sight the rest comes into sight.
+  beyond(event) {
+    const { surface, view } = this.line, [x] = this.at(event), { axis } = view, before = axis.left;
+    const over = Math.max(x - axis.width, 0) + Math.min(x, 0);
+    if (!over || this.held.kind === "tap") return;
+    surface.scrollTo(before + Math.min(Math.max(over, -FASTEST), FASTEST));
+    if (this.held.drag) this.held.drag.x -= axis.left - before;
   }
 
   pulled(event) {
@@ -82,6 +96,12 @@ export class Hands {
     if (held?.kind === "loop") this.line.loop.settle();
     const elsewhere = held?.kind === "scrub" || held?.kind === "tap" && !held.found;
     if (elsewhere) this.line.seek(this.time(this.at(event)[0]), false);
+  }
+
+  // A finger moves the page itself.
+  away() {
+    this.line.following = false;
+    this.cancel();
   }
 
   cancel() {
@@ -129,7 +149,7 @@ export class Hands {
 
   wheel(event) {
     const [x, y] = this.at(event);
-    if (!event.ctrlKey && !event.altKey && y >= RULER) return;
+    if (!event.ctrlKey && !event.altKey && y >= RULER) return void (this.line.following = false);
     event.preventDefault();
     this.line.surface.zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.003)), x);
   }

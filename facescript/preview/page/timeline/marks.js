@@ -4,6 +4,7 @@ import { RULER } from "./paint.js";
 import { topOf } from "./rows.js";
 import { tint } from "./theme.js";
 
+const SLOPE = 8;  // pixels from which an edge is seen to slope
 const GRIP = 3;  // width of the grips at a chosen bar's edges, px
 
 export function mark(context, view) {
@@ -56,14 +57,19 @@ function ring(context, view, act, colour, dash = [], wide = 1.5) {
 
 function chosen(context, view, act) {
   ring(context, view, act, view.theme.ink, [], 2);
-  const { strip, top } = place(view, act);
+  const { strip, top } = place(view, act), { axis } = view, slopes = (from, to) => axis.x(to) - axis.x(from) > SLOPE;
+  const { start, apex, until, end, handles } = act;
   context.fillStyle = view.theme.ink;
-  for (const [handle, time] of [["start", act.start], ["end", act.until]]) {
-    if (!act.handles[handle]) continue;
-    context.beginPath();
-    context.roundRect(view.axis.x(time) - GRIP / 2 + (handle === "start" ? 2 : -2), top + 3, GRIP, strip.bar - 6, 2);
-    context.fill();
-  }
+  if (handles.start) grip(context, axis.x(start) + 2, top, strip.bar, slopes(start, apex) ? 1 : 0);
+  if (handles.end) grip(context, axis.x(until) - 2, top, strip.bar, slopes(until, end) ? -1 : 0);
+}
+
+// What an edge can be taken hold of by: over its height, or where it slopes at its lower (1) or upper (-1) corner.
+function grip(context, x, top, height, corner) {
+  const tall = corner ? height / 2 : height - 6, y = corner > 0 ? top + height - tall : corner ? top : top + 3;
+  context.beginPath();
+  context.roundRect(x - GRIP / 2, y, GRIP, tall, 2);
+  context.fill();
 }
 
 // The bar where it is dragged to, and a line through all lanes at what its edge has snapped to.

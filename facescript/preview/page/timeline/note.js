@@ -1,6 +1,7 @@
 // A few words beside the pointer: what an act is, where a drag leads, why it is refused; the last is read out too.
 import { make } from "./dom.js";
 
+const REST = 300;  // ms until what is pointed at is told
 const LONG = 6000;  // ms that a sentence stays
 const BESIDE = 14;  // pixels from the pointer
 const EDGE = 8;  // pixels that it keeps from the timeline's edges
@@ -17,6 +18,7 @@ export class Note {
   show(lines, x = this.x, y = this.y) {
     Object.assign(this, { x, y });
     clearTimeout(this.fading);
+    clearTimeout(this.coming);
     this.box.hidden = false;
     this.box.replaceChildren(...lines.map((line) => make("div", {}, line)));
     const from = this.sight.getBoundingClientRect(), whole = this.place.getBoundingClientRect();
@@ -26,7 +28,16 @@ export class Note {
     this.box.style.top = `${above < EDGE - whole.top ? point + BESIDE : above}px`;
   }
 
-  hide() { this.box.hidden = true; }
+  // What is pointed at: only when the pointer rests, unless something is shown already.
+  hint(lines, x, y) {
+    clearTimeout(this.coming);
+    this.coming = setTimeout(() => this.show(lines, x, y), this.box.hidden ? REST : 0);
+  }
+
+  hide() {
+    clearTimeout(this.coming);
+    this.box.hidden = true;
+  }
 
   say(text) {
     this.voice.textContent = text;

@@ -11,13 +11,14 @@ const AROUND = 62;  // pixels of the timeline besides its lanes: the bar, the sc
 export class Surface {
   constructor(place, view) {
     Object.assign(this, { place, view });
-    this.ground = make("canvas", { "aria-hidden": "true" });
+    this.ground = make("canvas", { "aria-hidden": "true", hidden: true });
     this.over = make("canvas", { "aria-hidden": "true" });
-    this.head = make("div", { class: "tl-playhead" });
+    this.head = make("div", { class: "tl-playhead", hidden: true });
     const slider = { role: "slider", "aria-label": "Playhead", "aria-valuemin": "0", "aria-valuenow": "0" };
     this.ruler = make("div", { class: "tl-ruler", tabindex: "0", ...slider });
     this.acts = make("div", { class: "tl-acts", role: "listbox", tabindex: "0", "aria-label": "Acts", hidden: true });
-    this.sight = make("div", { class: "tl-sight" }, this.ground, this.over, this.acts, this.ruler, this.head);
+    const empty = make("p", { class: "tl-empty" }, "The timeline is here once the script can be played.");
+    this.sight = make("div", { class: "tl-sight" }, empty, this.ground, this.over, this.acts, this.ruler, this.head);
     this.space = make("div", { class: "tl-space" }, this.sight);
     this.scroller = make("div", { class: "tl-scroll" }, this.space);
     this.names = make("div", { class: "tl-names" });
@@ -107,6 +108,7 @@ export class Surface {
     this.due ??= requestAnimationFrame(() => {
       this.due = undefined;
       if (!this.view.score || !this.view.axis.width) return;
+      this.ground.hidden = false;
       if (this.stale) paint(this.ground.getContext("2d", { alpha: false }), this.view);
       this.stale = false;
       mark(this.over.getContext("2d"), this.view);

@@ -36,9 +36,6 @@ export class Timeline {
     this.tools = new Tools(bar, this);
     this.chooser = new Chooser(this.tools.curves.panel, (face) => this.askCurves(face));
     this.hands = new Hands(this);
-    for (const kind of ["pointerdown", "wheel"]) {
-      this.surface.scroller.addEventListener(kind, () => { this.following = false; }, { capture: true, passive: true });
-    }
     keys(this);
     this.listen();
   }
@@ -54,6 +51,7 @@ export class Timeline {
     wire.on("refused", ({ what, why }) => this.answer(why) || this.letGo([what, why].filter(Boolean).join(": ")));
     wire.on("edited", () => this.edited());
     clock.watch((time) => this.tick(time));
+    clock.changed(() => { if (clock.playing) this.following = true; });
   }
 
   // ---------------------------------------------------------------- what is shown
@@ -74,7 +72,7 @@ export class Timeline {
     for (const face of this.curves.keys()) this.askCurves(face);
     this.lay();
     this.reader.lay(view);
-    this.light(true);
+    this.light();
   }
 
   lay() {
@@ -113,20 +111,17 @@ export class Timeline {
     if (!view.score) return;
     if (this.clock.playing) this.follow(false);
     this.surface.placeHead();
-    if (this.light(false)) this.surface.markLater();
+    if (this.light()) this.surface.markLater();
   }
 
-  // What plays now is lit here, and told to whoever else lights it; whether that is another than before.
-  light(anew) {
+  // What plays and what is heard now is lit; answers whether that is another than before.
+  light() {
     const { view } = this, { time } = view;
     const lit = view.score.acts.filter((act) => act.start <= time && time < act.end && act.end > act.start);
     const said = view.words.filter(({ word }) => word.start <= time && time < word.end);
-    if (!anew && same(lit, view.lit) && same(said, view.said)) return false;
-    const others = anew || !same(lit, view.lit);
+    const others = !same(lit, view.lit) || !same(said, view.said);
     Object.assign(view, { lit, said });
-    const places = lit.filter((act) => act.from !== undefined).map(({ from, to }) => ({ from, to }));
-    if (others) dispatchEvent(new CustomEvent("facescript-plays", { detail: { version: view.version, places } }));
-    return true;
+    return others;
   }
 
   // Keeps the playhead in sight while it plays, until the reader scrolls away; `again` brings it back.
@@ -156,7 +151,7 @@ export class Timeline {
   point(act, x = 0, y = 0) {
     if (act !== this.view.hovered) this.surface.markLater();
     this.view.hovered = act;
-    if (!this.view.drag) act ? this.note.show(act.note.split("\n"), x, y) : this.note.hide();
+    if (!this.view.drag) act ? this.note.hint(act.note.split("\n"), x, y) : this.note.hide();
   }
 
   showDrag(x, y) {

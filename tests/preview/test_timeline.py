@@ -8,10 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import Page
-from previewing import served
+from accessible import faults
+from chromium import Page, program
+from serving import Serving
 
-pytestmark = pytest.mark.xdist_group("timeline")
+pytestmark = [
+    pytest.mark.xdist_group("preview"),
+    pytest.mark.skipif(program() is None, reason="no Chromium on this machine"),
+]
 
 SCRIPT = """\
 film 96x54, 30fps
@@ -27,29 +31,29 @@ window.wrong = []; window.heard = [];
 addEventListener("error", (event) => wrong.push(String(event.message)));
 addEventListener("unhandledrejection", (event) => wrong.push(String(event.reason)));
 addEventListener("securitypolicyviolation", (event) => wrong.push(event.blockedURI + " " + event.violatedDirective));
-addEventListener("facescript-plays", ({ detail }) => { window.plays = detail.places; });
 """
-READY = "window.facescript?.line.view.score && facescript.line.view.peaks.length && facescript.line.view.axis.scale"
+READY = "window.facescript?.line.view.peaks.length && facescript.line.view.score.lines.length && facescript.line.fresh"
 VIEW = "facescript.line.view"
 ALT, CTRL, SHIFT = 1, 2, 8
 
 
-@pytest.fixture(scope="module")
-def script(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("timeline") / "tea.face"
+@pytest.fixture
+def script(serving: Serving) -> Path:
+    return serving.script
 
 
 @pytest.fixture(scope="module")
-def browser(script: Path) -> Iterator[Page]:
-    script.write_text(SCRIPT, "utf-8")
-    with served(script.parent, script.name) as address, Page("about:blank#", 1280, 800) as page:
+def browser(serving: Serving) -> Iterator[Page]:
+    before = serving.script.read_text("utf-8")
+    serving.script.write_text(SCRIPT, "utf-8")
+    with Page("about:blank#", 1280, 800) as page:
         page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
-        page.call("Page.navigate", url=address)
+        page.call("Page.navigate", url=serving.address)
         until(page, READY)
         page.run("for (const kind of ['would', 'refused']) facescript.link.on(kind, (each) => heard.push(each)), 0")
         yield page
         assert page.run("window.wrong") == []
-        assert page.run("performance.getEntriesByType('resource').every(({name}) => name.startsWith(location.origin))")
+    serving.script.write_text(before, "utf-8")
 
 
 @pytest.fixture
@@ -131,24 +135,22 @@ def test_lanes_and_words_are_shown(page: Page) -> None:
     assert [text for _, _, text in seen] == ["Where", "is", "my", "cup"] and all(x == right for x, right, _ in seen)
 
 
-def test_what_plays_is_lit_here_and_told(page: Page) -> None:
-    smile = act(page, "smile")
+def test_what_plays_is_lit(page: Page) -> None:
+    smile, line = act(page, "smile"), page.run(f"{VIEW}.score.lines[0]")
     page.run(f"facescript.time.seek({smile['start'] + 0.2})")
-    until(page, f"{VIEW}.lit.some(({{label}}) => label.includes('smile'))")
-    assert {"from": smile["from"], "to": smile["to"]} in page.run("window.plays")
+    until(page, f"{VIEW}.lit.some(({{label}}) => label.includes('smile')) && {VIEW}.said.length === 0")
+    page.run(f"facescript.time.seek({line['words'][3]['start'] + 0.01})")
+    until(page, f"{VIEW}.said.map(({{text}}) => text).join() === 'cup'")
 
 
 def test_a_click_chooses_an_act_and_jumps_to_its_line(page: Page) -> None:
-    page.run(
-        "facescript.link.jumps = [], facescript.line.wire = {say: (...said) => facescript.link.jumps.push(said)}, 0"
-    )
+    page.run("window.jumps = [], facescript.link.on('said jump', (each) => jumps.push(each)), 0")
     x, y = place(page, "smile", "middle")
     mouse(page, "mouseMoved", x, y)
-    assert "tea.face:4" in page.run("document.querySelector('.tl-note').textContent")
+    until(page, "document.querySelector('.tl-note').textContent.includes('script.face:4')")
     page.click(round(x), round(y))
     smile = act(page, "smile")
-    assert page.run("facescript.link.jumps") == [["jump", {"from": smile["from"], "to": smile["to"]}]]
-    page.run("facescript.line.wire = facescript.link, 0")
+    assert page.run("jumps.map(({from, to}) => [from, to])") == [[smile["from"], smile["to"]]]
     assert page.run(f"{VIEW}.chosen.label") == smile["label"]
 
 
@@ -228,6 +230,26 @@ def test_keys_walk_over_the_acts_and_move_them(page: Page, script: Path) -> None
     written(script, page, "show smile 65% for 2s")
 
 
+def test_two_fingers_zoom(page: Page) -> None:
+    x, y = place(page, "nod", "middle")
+
+    def touch(kind: str, *fingers: float) -> None:
+        points = [{"x": x + finger, "y": y, "id": number} for number, finger in enumerate(fingers)]
+        page.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+
+    touch("touchStart", -40, 40)
+    for apart in (40, 60, 80):
+        touch("touchMove", -apart, apart)
+    touch("touchEnd")
+    until(page, f"Math.abs({VIEW}.axis.scale / {VIEW}.axis.fit - 2) < 0.1")
+
+
+def test_what_plays_stays_in_sight(page: Page) -> None:
+    page.run("facescript.line.surface.zoom(20, 0), facescript.time.seek(0.3), facescript.time.play()")
+    until(page, f"{VIEW}.axis.left > 0 && {VIEW}.axis.x({VIEW}.time) < 0.9 * {VIEW}.axis.width")
+    page.run("facescript.time.pause()")
+
+
 def test_curves_are_drawn_for_the_channels_that_are_ticked(page: Page) -> None:
     chip = "[...document.querySelectorAll('.tl-chip')].find(({textContent}) => textContent === 'Lids')"
     page.run(f"{chip}.click()")
@@ -263,3 +285,13 @@ def test_a_screen_reader_finds_its_way(page: Page) -> None:
     }
     assert wanted <= found
     assert any(role == "option" and name.startswith("show smile") for role, name in found)
+
+
+def test_axe_finds_nothing_in_it(page: Page) -> None:
+    page.run(f"facescript.line.choose({VIEW}.score.acts[0]), facescript.line.loop.set(1, 2)")
+    page.run("document.querySelectorAll('.tl-more > .tl-tool').forEach((button) => button.click())")
+    for theme in ("light", "dark"):
+        page.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": theme}])
+        assert faults(page) == [], theme
+    page.call("Emulation.setEmulatedMedia", features=[])
+    page.run("document.body.dispatchEvent(new PointerEvent('pointerdown', {bubbles: true})), 0")
