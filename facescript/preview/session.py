@@ -154,12 +154,12 @@ class Session:
 
     def _compiled(self, source: Source) -> Compiled:
         if is_play(source):
-            return compile_any(source, self._world, self._voice, Settings())
-        return self._recompiler.compile(source, self._world, self._voice).finished()
+            return compile_any(source, self._world, self._voice.answers, Settings())
+        return self._recompiler.compile(source, self._world, self._voice.answers).finished()
 
     def _drafted(self, source: Source) -> Compiled:
         """A text that may become the script's; what was compiled of the script stays as it is."""
-        return self._drafts.compile(source, self._world, self._voice).finished()
+        return self._drafts.compile(source, self._world, self._voice.answers).finished()
 
     def _draw(self) -> Iterator[bytes]:
         """A chunk; where a picture of the script cannot be read any more, the frames end."""

@@ -12,7 +12,7 @@ from facescript.rig.cartoon.palette import named, tinted
 from facescript.rig.cartoon.style import FaceStyle, style_of
 
 KEPT = 32
-"""Rigs that are kept: more than the faces of most scripts."""
+"""Rigs and styles that are kept: more than the faces of most scripts."""
 
 Pairs = tuple[tuple[str, str], ...]
 Amounts = tuple[tuple[str, float], ...]
@@ -23,6 +23,7 @@ def style(face: Face) -> FaceStyle:
     return _style(face.drawn or library_kind(face.kind), face.looks, face.choices, face.amounts)
 
 
+@lru_cache(maxsize=KEPT)
 def _style(kind: Kind, looks: Pairs, choices: Pairs, amounts: Amounts) -> FaceStyle:
     return style_of(kind, named(tinted(dict(kind.colours), dict(looks))), dict(choices), dict(amounts))
 

@@ -66,6 +66,7 @@ EGLOT = """
                  (flymake-diagnostic-text found))))
 (end-of-line)
 (princ (if (nth 4 (syntax-ppss)) "comment" "text"))
+(princ (format "\\n%S" (commandp 'face-script-preview)))
 """
 """What a user of Emacs sees of a script with a slip."""
 
@@ -160,14 +161,14 @@ def test_all_of_neovims_are_lua(here: Path) -> None:
 
 @pytest.mark.skipif(not shutil.which("emacs"), reason="needs Emacs: apt-get install emacs-nox elpa-eglot")
 def test_emacs_shows_a_slip(here: Path) -> None:
-    (here / "init.el").write_text(blocks("elisp")[0], "utf-8")
+    (here / "init.el").write_text("".join(blocks("elisp")), "utf-8")
     (here / "act.el").write_text(EGLOT, "utf-8")
     (here / "a.face").write_text("show smlie 60%  # done\nnod\n", "utf-8")
     done = emacs("-l", "act.el")
     if "Cannot open load file" in done.stderr and "eglot" in done.stderr:
         pytest.skip("this Emacs has no eglot: apt-get install elpa-eglot")
     told = done.stdout.splitlines()
-    assert told[0].startswith("face-script-mode 6 11 facescript [FS201]: `smlie`") and told[1:] == ["comment"]
+    assert told[0].startswith("face-script-mode 6 11 facescript [FS201]: `smlie`") and told[1:] == ["comment", "t"]
 
 
 def test_the_other_set_ups_can_be_read() -> None:

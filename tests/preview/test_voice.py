@@ -41,11 +41,11 @@ def slow(monkeypatch: pytest.MonkeyPatch) -> Slow:
 def test_lines_wait_and_are_spoken_once(slow: Slow, tmp_path: Path) -> None:
     voice = PatientVoice(World(tmp_path), slow)
     voice.begin()
-    assert [voice.speak(line(text)).estimated for text in ("one", "two", "three")] == [False, True, True]
+    assert [voice.answers.speak(line(text)).estimated for text in ("one", "two", "three")] == [False, True, True]
     while voice.waiting:
         voice.catch_up()
     voice.begin()
-    assert not any(voice.speak(line(text)).estimated for text in ("one", "two", "three"))
+    assert not any(voice.answers.speak(line(text)).estimated for text in ("one", "two", "three"))
     assert slow.said == ["one", "two", "three"]
 
 
@@ -54,13 +54,26 @@ def test_a_line_that_cannot_be_spoken_is_said_to_be_so_each_time(slow: Slow, tmp
     for _ in range(2):
         voice.begin()
         with pytest.raises(VoiceFailure):
-            voice.speak(line("no"))
+            voice.answers.speak(line("no"))
     assert slow.said == ["no"]
 
 
 def test_a_line_that_is_gone_is_not_waited_for(slow: Slow, tmp_path: Path) -> None:
     voice = PatientVoice(World(tmp_path), slow)
     voice.begin()
-    voice.speak(line("one")), voice.speak(line("two"))
+    voice.answers.speak(line("one")), voice.answers.speak(line("two"))
     voice.begin()
     assert not voice.waiting
+
+
+def test_whoever_keeps_what_was_answered_is_told_when_it_may_be_another(slow: Slow, tmp_path: Path) -> None:
+    voice = PatientVoice(World(tmp_path), slow)
+    voice.begin()
+    first = voice.answers
+    voice.answers.speak(line("one"))
+    voice.begin()
+    assert voice.answers is first
+    voice.answers.speak(line("two")), voice.answers.speak(line("three"))
+    voice.catch_up()
+    voice.begin()
+    assert voice.answers is not first

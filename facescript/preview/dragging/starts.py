@@ -106,23 +106,24 @@ class Starts:
         """By a `wait` in a line of its own before it, or before the outermost of the blocks that it begins."""
         level = next((level for level in reversed(passed) if self._can_wait(level)), None)
         if level is not None:
-            yield self._before(level.unit, margin(self.source, level.unit) or "")
+            pause = PAUSE if _verb(self.standing.act) == "say" and _ends_in_line(passed[-1].before) else 0.0
+            yield self._before(level.unit, margin(self.source, level.unit) or "", pause)
 
     def _can_wait(self, level: Level) -> bool:
         """Whether a line with a `wait` can stand before what stands here."""
         return not level.apart and margin(self.source, level.unit) is not None
 
-    def _before(self, unit: tree.Item | tree.On, spaces: str) -> Way:
-        speaks = _verb(self.standing.act) == "say"
+    def _before(self, unit: tree.Item | tree.On, spaces: str, pause: float) -> Way:
+        """By a `wait` before a statement; `pause` is what it does away with."""
         place = above(self.source, unit)
 
         def edit(by: float) -> Change:
-            length = by + PAUSE if speaks and by < 0 else by
-            if length < 0.005 and not (speaks and length > -0.005):
+            length = by + pause
+            if length < (-0.005 if pause else 0.005):
                 raise Stuck("it starts as soon as what stands before it has settled, and cannot come sooner.")
             return Change(place, place, f"{spaces}wait {time(max(length, 0.0))}\n")
 
-        return Way(edit, -PAUSE if speaks else 0.0)
+        return Way(edit, -pause)
 
     # -------------------------------------------------------------------------------------------- at a moment
 
@@ -162,6 +163,13 @@ class Starts:
 def _verb(act: tree.Act) -> str:
     word = act.phrases[0].words[0]
     return word.text if isinstance(word, tree.Name) else ""
+
+
+def _ends_in_line(unit: tree.Item | tree.On | None) -> bool:
+    """Whether a line of speech is the last that a statement does."""
+    while isinstance(unit, tree.Cast | tree.Group) and not (isinstance(unit, tree.Group) and unit.kind == "together"):
+        unit = unit.body[-1]
+    return isinstance(unit, tree.Act) and _verb(unit) == "say"
 
 
 def waiting(unit: tree.Item | tree.On | None) -> tree.Act | None:

@@ -64,10 +64,11 @@ export function outline(context, axis, act, top, height, grow = 0) {
 // What is done: on the flat top, else inside the bar, else behind it where there is room. A line whose words stand
 // below says nothing. With `inside` it is left out where it does not stand on the bar. The font is that of labels.
 export function phrase(context, view, strip, act, inside = false) {
-  const { axis } = view, left = Math.max(axis.x(act.start), 0);
+  const { axis } = view, last = Math.max(axis.x(act.end), axis.x(act.start) + NARROW);
+  const left = last < 0 ? axis.x(act.start) : Math.max(axis.x(act.start), 0), right = Math.min(last, axis.width);
   const free = strip.next.has(act) ? axis.x(strip.next.get(act)) : axis.width;
   if (free - left < LEAST || strip.lane.name === "speech" && wordsFit(view, act)) return;
-  const right = Math.min(Math.max(axis.x(act.end), left + NARROW), axis.width), long = width(act.label);
+  const long = width(act.label);
   const y = topOf(strip, act) + (strip.bar > 24 ? 14 : strip.bar / 2 + 4);
   if (act.start === act.end) {
     if (!inside) write(context, act.label, left + 9, y, free - left - 14);

@@ -116,14 +116,15 @@ export class Surface {
     });
   }
 
-  // The playhead to its time.
+  // The playhead to its time; while it plays a reader is told of whole seconds only.
   placeHead() {
-    const { axis, time, score } = this.view, x = axis.x(time);
+    const { axis, time, score, playing } = this.view, x = axis.x(time);
     this.head.style.transform = `translateX(${x}px)`;
     this.head.hidden = x < -PAD || x > axis.width + PAD;
-    if (this.said === time.toFixed(2)) return;
-    this.said = time.toFixed(2);
-    this.ruler.setAttribute("aria-valuenow", this.said);
+    const said = playing ? Math.floor(time) : time;
+    if (this.said === said) return;
+    this.said = said;
+    this.ruler.setAttribute("aria-valuenow", time.toFixed(2));
     this.ruler.setAttribute("aria-valuemax", score.duration.toFixed(2));
     this.ruler.setAttribute("aria-valuetext", `${told(this.view, time)} of ${told(this.view, score.duration)}`);
   }

@@ -21,8 +21,10 @@ export class Timeline {
   constructor(place, wire, clock) {
     this.wire = wire;
     this.clock = clock;
-    this.view = { axis: new Axis(), strips: [], scrolled: 0, height: 0, dense: 1, score: null, version: 0, peaks: [],
-      words: [], time: 0, loop: null, lit: [], said: [], caret: [], hovered: null, chosen: null, drag: null,
+    this.view = { axis: new Axis(), strips: [], scrolled: 0, height: 0, dense: 1,  // where things are
+      score: null, version: 0, peaks: [], words: [],  // what there is
+      time: 0, playing: false, loop: null, lit: [], said: [],  // what plays
+      caret: [], hovered: null, chosen: null, drag: null,  // what is meant
       say: (kind, values) => wire.say(kind, values), letGo: (why) => this.letGo(why) };
     this.curves = new Map();
     this.following = true;
@@ -107,7 +109,7 @@ export class Timeline {
 
   tick(time) {
     const { view } = this;
-    view.time = time;
+    Object.assign(view, { time, playing: this.clock.playing });
     if (!view.score) return;
     if (this.clock.playing) this.follow(false);
     this.surface.placeHead();
