@@ -129,8 +129,8 @@ def _is_behind(place: Place) -> bool:
 
 def _report_behind(place: Place) -> None:
     start, end = place.token[2], place.tokens[-1][2]
-    words = place.faults.source.text[start:end].strip(", ").partition("\n")[0]
-    place.faults.add("FS136", start, end, words=words[:LONGEST_HEADER])
+    words = " ".join(token[1] for token in place.tokens[place.index : -1]).replace(" ,", ",").lstrip(", ")
+    place.faults.add("FS136", start, end, words=words if len(words) <= LONGEST_HEADER else place.token[1])
 
 
 def _is_joined(place: Place) -> bool:

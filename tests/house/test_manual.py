@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import runpy
 import shlex
 import shutil
 import tomllib
@@ -24,7 +25,7 @@ PAGES = [DOCS / "tutorial.md", *sorted(DOCS.glob("howto/*.md")), DOCS / "backend
 
 FENCE = re.compile(r"^```([\w-]*)([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NAMED = re.compile(r"# ([\w-]+\.face)\b")
-CHEAP = (".bvh", ".csv", ".jsonl", ".json", ".face", ".wav", ".vtt")
+CHEAP = (".bvh", ".jsonl", ".json", ".face", ".wav", ".vtt")
 """Outputs that are made here too, not only those whose answer a page shows."""
 
 TITLED = re.compile(r'title="([^"]+)"')
@@ -57,20 +58,20 @@ def steps(page: Path) -> Iterator[Run | Written]:
 
 
 def commands(text: str) -> Iterator[Run]:
-    """The commands of FaceScript in a block, each behind `$`, with the lines that stand below it."""
+    """The commands in a block that can be followed here, each behind `$`, with the lines that stand below it."""
     for part in re.split(r"^\$ ", text.replace("\\\n", ""), flags=re.MULTILINE)[1:]:
         command, *answer = part.splitlines()
         for piece in command.split(" | "):
             words = shlex.split(piece.partition(" > ")[0])
-            if words[:1] == ["facescript"]:
-                yield Run(words[1:], answer)
+            if words[:1] in (["facescript"], ["python"]):
+                yield Run(words, answer)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_commands_can_be_followed(page: Path) -> None:
     for step in steps(page):
-        if isinstance(step, Run) and step.words[0] not in LATER:
-            parser(__version__).parse_args(step.words)
+        if isinstance(step, Run) and step.words[0] == "facescript" and step.words[1] not in LATER:
+            parser(__version__).parse_args(step.words[1:])
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
@@ -114,11 +115,14 @@ def write(path: Path, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def follow(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     """A command whose answer is shown answers so; one that makes what is cheap to make makes it."""
+    if run.words[0] == "python":
+        runpy.run_path(run.words[1])
+        return
     made = [word for flag, word in pairwise(run.words) if flag == "-o"]
     cheap = bool(made) and all(Path(name).suffix in CHEAP for name in made)
     if not run.answer and not cheap:
         return
-    code = main(run.words)
+    code = main(run.words[1:])
     said = capsys.readouterr()
     told = said.err + said.out
     if run.answer:
