@@ -1,4 +1,4 @@
-"""The tutorial, the how-tos and the chapters beside them do what they say: their files are written, their commands run."""
+"""The tutorial, the how-tos and the chapters beside them do what they say: their files are written, commands run."""
 
 from __future__ import annotations
 
