@@ -18,6 +18,8 @@ import facescript
 from facescript import __version__
 from facescript.cli.arguments import LATER, parser
 from facescript.cli.main import main
+from facescript.syntax.formatter import format_source
+from facescript.text import Source
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -72,6 +74,12 @@ def test_commands_can_be_followed(page: Path) -> None:
     for step in steps(page):
         if isinstance(step, Run) and step.words[0] == "facescript" and step.words[1] not in LATER:
             parser(__version__).parse_args(step.words[1:])
+
+
+@pytest.mark.parametrize("page", [*PAGES, DOCS / "how-it-moves.md"], ids=lambda page: page.stem)
+def test_scripts_are_in_the_layout(page: Path) -> None:
+    scripts = [text for kind, _, text in FENCE.findall(page.read_text("utf-8")) if kind == "face"]
+    assert [text for text in scripts if format_source(Source(page.name, text)) != text] == []
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
