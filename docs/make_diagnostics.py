@@ -66,22 +66,18 @@ def page() -> str:
 
 
 def _entry(entry: Entry) -> str:
-    rows = [f"\n### {entry.code} {entry.name}\n", f"**{str(entry.severity).capitalize()}.** {sentence(entry)}\n"]
+    rows = [f"\n### {entry.code} {entry.name}\n", f"**{str(entry.severity).capitalize()}.** {_sentence(entry)}\n"]
     if entry.why:
         rows.append(f"{entry.why}\n")
     if entry.stage == "command":
-        rows.append(block("", f"facescript {' '.join(entry.command)}"))
+        rows.append(_block("", f"facescript {' '.join(entry.command)}"))
     elif entry.stage != "unforced":
-        rows += [block("face-bad", entry.bad), block("face", entry.good), *files(entry)]
+        rows += [_block("face-bad", entry.bad), _block("face", entry.good)]
+        rows += [f"`{name}`:\n\n{_block('', text)}" for name, text in entry.files.items() if "\0" not in text]
     return "\n".join(rows)
 
 
-def files(entry: Entry) -> list[str]:
-    """The files that an example reads, but for those that are no text."""
-    return [f"`{name}`:\n\n{block('', text)}" for name, text in entry.files.items() if "\0" not in text]
-
-
-def sentence(entry: Entry) -> str:
+def _sentence(entry: Entry) -> str:
     """What is said of the bad example; the bare pattern where no example brings the code about."""
     if entry.stage == "unforced":
         return re.sub(r"\{[^}]*\}", "…", entry.sentence)
@@ -105,8 +101,7 @@ def _commanded(entry: Entry, folder: str) -> Iterator[str]:
     return iter(re.findall(rf"{entry.code}: (.*)", told.getvalue()))
 
 
-def block(kind: str, text: str) -> str:
-    """A text between fences, cut where it is long, with what cannot be seen spelled out."""
+def _block(kind: str, text: str) -> str:
     lines = HIDDEN.sub(lambda found: f"<U+{ord(found[0]):04X}>", text).splitlines()
     shown = [_short(line) for line in lines[:LONGEST]] + ["…"] * (len(lines) > LONGEST)
     return f"```{kind}\n" + "\n".join(shown) + "\n```\n"

@@ -67,7 +67,7 @@ HOMES = {page.uri: page for page in (*site.made(), *site.written())}
 
 
 def image(picture: fences.Picture, page: str) -> str:
-    """The picture in HTML, with its size, so that nothing jumps when it comes; a film is still for those who ask for that."""
+    """The picture in HTML, with its size, so that nothing jumps when it comes; a film has its still for the calm."""
     path = pictures.place(picture)
     address = relative(f"{MADE}/{path.name}", page)
     size = f' width="{picture.wide}"'

@@ -10,8 +10,6 @@ if (location.protocol === "file:") {
       this.frame.title = "Search";
       document.body.append(this.frame);
       const inside = this.frame.contentWindow;
-      inside.importScripts = (...scripts) =>
-        scripts.reduce((before, script) => before.then(() => load(inside.document, script)), Promise.resolve());
       inside.postMessage = (data) => this.dispatchEvent(new MessageEvent("message", { data }));
       load(inside.document, address).then(() => {
         const waiting = this.waiting;

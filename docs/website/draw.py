@@ -11,7 +11,8 @@ from facescript.backends.frames import pictures
 from facescript.backends.job import Job
 from facescript.compile import Settings, compile_source
 from facescript.ir.play import Film
-from facescript.plot.picture import Asked, draw as plotted
+from facescript.plot.picture import Asked
+from facescript.plot.picture import draw as plotted
 from facescript.plot.svg import write_svg
 from facescript.speech.studio import open_studio
 from facescript.text import Source
@@ -69,7 +70,14 @@ def _film(picture: Picture, path: Path) -> None:
     times = list(np.arange(picture.start, picture.end, 1 / RATE))
     first, *others = _images(picture, FINE_MOVING, times)
     first.save(
-        path, "WEBP", save_all=True, append_images=others, duration=round(1000 / RATE), loop=0, quality=QUALITY, method=4
+        path,
+        "WEBP",
+        save_all=True,
+        append_images=others,
+        duration=round(1000 / RATE),
+        loop=0,
+        quality=QUALITY,
+        method=4,
     )
     [first, *others][len(times) // 2].save(calm(path), "WEBP", quality=QUALITY)
 

@@ -1,4 +1,4 @@
-"""Blocks of a page with settings behind their word, as ```` ```face {picture="2s" alt="..."}````, to the pictures they ask for.
+"""Blocks of a page with settings behind their word (`{picture="2s" alt="..."}`) to the pictures that they ask for.
 
 The block itself stays a script that anybody can run. A block `face-picture` is drawn and not shown, `face-part` is
 coloured and is no whole script.
@@ -28,7 +28,7 @@ class FenceFault(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """What a block shows: one of `KINDS`, of `start` to `end` seconds of a script; `wide` in CSS px, `channels` of a plot."""
+    """What a block shows: one of `KINDS`, of a script from `start` to `end` (s), `wide` CSS px; a plot's `channels`."""
 
     kind: str
     script: str
@@ -60,7 +60,7 @@ def picture(found: re.Match[str]) -> Picture:
     """What a block asks for. Raises `FenceFault`."""
     settings = dict(SETTING.findall(found["settings"]))
     if SETTING.sub("", found["settings"]).strip():
-        raise FenceFault(f"`{found['settings']}` is not a row of NAME=\"VALUE\"")
+        raise FenceFault(f'`{found["settings"]}` is not a row of NAME="VALUE"')
     asked = [kind for kind in KINDS if kind in settings]
     unknown = set(settings) - {*KINDS, "alt", "wide", "channels"}
     if len(asked) != 1 or unknown or not settings.get("alt"):

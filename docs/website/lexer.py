@@ -10,6 +10,9 @@ from pygments.token import Comment, Error, Keyword, Name, Number, Operator, Punc
 
 from website.textmate import scopes
 
+__all__ = ["FaceLexer"]
+"""What Pygments asks a module for."""
+
 COLOURS: dict[str, _TokenType] = {
     "comment": Comment,
     "constant.character": String.Escape,

@@ -1,4 +1,4 @@
-"""Links of a page as it lies in the checkout to links of the site: what is not in `docs/` has a page or a file there too."""
+"""Links of a page in the checkout to links of the site, where what is not in `docs/` has a page or a file too."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[2]
 LINK = re.compile(r"(?<=\]\()(?P<path>[^)#\s:]*)(?P<anchor>#[^)\s]*)?(?=\))")
 """Behind `](`: a place in the checkout; addresses have a colon and are left alone."""
 
-CODE = re.compile(r"^(?P<fence> *```).*?^ *```$|`[^`\n]+`|\[[^\]\n]*\]\([^)\n]*\)|^#.*$", re.MULTILINE | re.DOTALL)
+CODE = re.compile(r"^(?P<fence> *```).*?^ *```$|`[^`\n]+`|\[[^\]\n]*\]\([^)\n]*\)|^#[^\n]*$", re.MULTILINE | re.DOTALL)
 """What no code of a diagnostic is linked in: code, links, headings."""
 
 DIAGNOSTIC = re.compile(r"\bFS\d{3}\b")

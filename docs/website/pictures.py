@@ -1,4 +1,4 @@
-"""The pictures that pages ask for to files in `build/pictures`: drawn in parallel, and kept as long as what made them is so.
+"""The pictures that pages ask for to files in `build/pictures`: drawn in parallel, kept while what makes them is so.
 
 A file's name is a hash of its block and of all that draws it: the compiler, the library, the examples' folder.
 """
@@ -46,7 +46,9 @@ def _made_by() -> bytes:
 @cache
 def place(picture: Picture) -> Path:
     """Where the picture's file stands once it is made."""
-    told = "\0".join(map(str, (picture.kind, picture.script, picture.start, picture.end, picture.wide, picture.channels)))
+    told = "\0".join(
+        map(str, (picture.kind, picture.script, picture.start, picture.end, picture.wide, picture.channels))
+    )
     name = hashlib.sha256(_made_by() + told.encode()).hexdigest()[:20]
     return KEPT / f"{name}{suffix(picture)}"
 

@@ -1,4 +1,4 @@
-"""All pages of the site: those of `docs/`, some of the checkout's own, and those that tables make; and where each stands."""
+"""All pages of the site, from `docs/`, from elsewhere in the checkout and from tables; and where each stands."""
 
 from __future__ import annotations
 
@@ -7,14 +7,42 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from facescript.diagnostics.catalogue.model import Entry
 from facescript.resolve.words import VERBS
 from website.page import Page
-from website.pages import channels, diagnostics, examples, expressions, kinds, lives, muscles, outputs, settings
-from website.pages import index, statements, values, words
+from website.pages import (
+    channels,
+    diagnostics,
+    examples,
+    expressions,
+    index,
+    kinds,
+    lives,
+    muscles,
+    outputs,
+    settings,
+    statements,
+    values,
+    words,
+)
 
 ROOT = Path(__file__).parents[2]
 
-TABLES = (index, statements, words, settings, values, expressions, muscles, channels, lives, kinds, outputs, diagnostics, examples)
+TABLES = (
+    index,
+    statements,
+    words,
+    settings,
+    values,
+    expressions,
+    muscles,
+    channels,
+    lives,
+    kinds,
+    outputs,
+    diagnostics,
+    examples,
+)
 """What makes pages from tables."""
 
 BORROWED = {
@@ -32,9 +60,7 @@ Nav = list[Any]
 @cache
 def made() -> tuple[Page, ...]:
     """Every page that does not lie in `docs/`."""
-    borrowed = (
-        Page(uri, title, (ROOT / home).read_text("utf-8"), home) for uri, (title, home) in BORROWED.items()
-    )
+    borrowed = (Page(uri, title, (ROOT / home).read_text("utf-8"), home) for uri, (title, home) in BORROWED.items())
     notice = (ROOT / "NOTICE").read_text("utf-8")
     licence = Page(LICENCE, "Licence", f"# Licence\n\n```text\n{notice}```\n")
     return (*borrowed, licence, *(page for table in TABLES for page in table.pages()))
@@ -46,13 +72,14 @@ def written() -> tuple[Page, ...]:
     docs = ROOT / "docs"
     replaced = {page.uri for page in made()}
     found = (path.relative_to(docs).as_posix() for path in sorted(docs.rglob("*.md")) if "website" not in path.parts)
-    return tuple(
-        Page(uri, "", (docs / uri).read_text("utf-8"), f"docs/{uri}") for uri in found if uri not in replaced
-    )
+    return tuple(Page(uri, "", (docs / uri).read_text("utf-8"), f"docs/{uri}") for uri in found if uri not in replaced)
 
 
 HOWTO = "announcer audio-book kiosk stimuli avatar-data two-faces own-face programs notebook".split()
-REFERENCE = "blocks definitions modifiers film face values targets expressions units muscles channels lives actions kinds voices outputs"
+DESK = "editors writing preview playground trouble faq".split()
+REFERENCE = (
+    "blocks definitions modifiers film face values targets expressions units muscles channels lives actions".split()
+)
 
 
 def nav() -> Nav:
@@ -61,7 +88,7 @@ def nav() -> Nav:
     return [
         {"Home": "index.md"},
         *_section(there, "Tutorial", ["tutorial.md"]),
-        *_section(there, "How-tos", [*(f"howto/{name}.md" for name in HOWTO), "editors.md", "writing.md", "preview.md", "playground.md", "trouble.md", "faq.md"]),
+        *_section(there, "How-tos", [*(f"howto/{name}.md" for name in HOWTO), *(f"{name}.md" for name in DESK)]),
         *_section(there, "Language", ["language.md", "speech.md", "faces.md", "gallery.md"]),
         {"Reference": _reference(there)},
         {"Diagnostics": _diagnostics()},
@@ -83,7 +110,7 @@ def _titled(there: dict[str, str], uri: str) -> Any:
 
 
 def _reference(there: dict[str, str]) -> Nav:
-    pages = [f"reference/{name}.md" for name in REFERENCE.split()]
+    pages = [f"reference/{name}.md" for name in (*REFERENCE, "kinds", "voices", "outputs")]
     shown = [page.uri for page in examples.pages()]
     return [
         "reference/index.md",
@@ -95,7 +122,11 @@ def _reference(there: dict[str, str]) -> Nav:
 
 def _diagnostics() -> Nav:
     families = (
-        {f"FS{digit}xx {title}": [{f"{each.code} {each.name}": f"diagnostics/{each.code}.md"} for each in diagnostics.of_family(digit)]}
+        {f"FS{digit}xx {title}": [_code(entry) for entry in diagnostics.of_family(digit)]}
         for digit, title in diagnostics.families()
     )
     return ["diagnostics.md", *families]
+
+
+def _code(entry: Entry) -> dict[str, str]:
+    return {f"{entry.code} {entry.name}": f"diagnostics/{entry.code}.md"}

@@ -20,8 +20,8 @@ SIDE, UP, DOWN = f"{EYE_SIDE:g}deg", f"{EYE_UP:g}deg", f"{EYE_DOWN:g}deg"
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """What a channel is, by its name without a side, and the two ends that are shown of it (as amounts on top of its rest);
-    `ends` says whether it goes no further."""
+    """What a channel is, by its name without a side, and the two ends that are shown of it, as amounts on top of its
+    rest; `ends` says whether it goes no further."""
 
     says: str
     low: str
@@ -55,7 +55,9 @@ ROWS = {
     "mouth.tongue": Row("How far the tongue's tip is up.", "0%", "100%"),
     "ear": Row("The ears: 1 up, 0 at rest, -1 pressed down or back.", "-100%", "100%"),
     "muzzle": Row("How far the pad beside the nose swells and rises.", "0%", "100%"),
-    "gaze.yaw": Row("Where the eyes' midline points in the room; + is the viewer's right. Derived: sums cannot add to it.", "", ""),
+    "gaze.yaw": Row(
+        "Where the eyes' midline points in the room; + is the viewer's right. Derived: sums cannot add to it.", "", ""
+    ),
     "gaze.pitch": Row("Where the eyes' midline points in the room; + is up. Derived: sums cannot add to it.", "", ""),
 }
 
@@ -64,16 +66,18 @@ OPENED = {"mouth.teeth": " + mouth.open 40%", "mouth.tongue": " + mouth.open 60%
 
 
 def pages() -> Iterator[Page]:
-    yield Page("reference/channels.md", "Channels", HEAD + _overview() + "\n" + "\n".join(_entry(name) for name in names()))
+    yield Page(
+        "reference/channels.md", "Channels", HEAD + _overview() + "\n" + "\n".join(_entry(name) for name in names())
+    )
 
 
 HEAD = """\
 # Channels
 
-What a pose is made of, and what tables (`.csv`, `.jsonl`) have a column of. In a sum a channel of an angle or a length wants one
-behind it (`head.roll 8deg`), all others a percentage, which adds to the rest. `lid`, `eye.yaw` and so on mean both sides;
-`.left` and `.right` are the face's own. The [muscles](muscles.md) are channels too. A head is pitched, then turned about the
-vertical, then tilted in the picture, so yaw and pitch are where the nose points.
+What a pose is made of, and what tables (`.csv`, `.jsonl`) have a column of. In a sum a channel of an angle or a
+length wants one behind it (`head.roll 8deg`), all others a percentage, which adds to the rest. `lid`, `eye.yaw` and
+so on mean both sides; `.left` and `.right` are the face's own. The [muscles](muscles.md) are channels too. A head
+is pitched, then turned about the vertical, then tilted in the picture, so yaw and pitch are where the nose points.
 
 """
 
@@ -95,7 +99,7 @@ def _channels(name: str) -> list[Channel]:
 
 def _overview() -> str:
     rows = ((f"`{channel.name}`", channel.unit, f"{channel.rest:g}") for channel in CHANNELS)
-    return "??? note \"All columns, in their order\"\n\n" + "".join(
+    return '??? note "All columns, in their order"\n\n' + "".join(
         f"    {line}\n" for line in table(("channel", "unit", "at rest"), rows).splitlines()
     )
 

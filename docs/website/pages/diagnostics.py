@@ -1,37 +1,44 @@
-"""The catalogue of diagnostics to a page a code, and an index of them in the place of `docs/diagnostics.md`."""
+"""The sections of `docs/diagnostics.md` to a page a code, and an index of them in its place."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from pathlib import Path
 
-import make_diagnostics
+from make_diagnostics import FAMILIES
+
 from facescript.diagnostics.catalogue import CATALOGUE
 from facescript.diagnostics.catalogue.model import Entry
 from website.page import Page, table
 
+SOURCE = Path(__file__).parents[2] / "diagnostics.md"
+
 CODE = re.compile(r"FS\d{3}")
+
+SECTION = re.compile(r"^### (FS\d{3}) .*\n", re.MULTILINE)
 
 
 def pages() -> Iterator[Page]:
-    entries = [entry for _, entry in sorted(CATALOGUE.items())]
+    entries, told = [entry for _, entry in sorted(CATALOGUE.items())], _told()
     yield Page("diagnostics.md", "All codes", "\n".join([INDEX, *(_family(*each, entries) for each in families())]))
     for entry in entries:
-        yield Page(f"diagnostics/{entry.code}.md", f"{entry.code} {entry.name}", _text(entry))
+        yield Page(f"diagnostics/{entry.code}.md", f"{entry.code} {entry.name}", _text(entry, told[entry.code]))
 
 
 INDEX = """\
 # Diagnostics
 
-What `facescript` tells an author: a code, a sentence, the exact place, and a fix where one is known. An **error** stands in the
-way of a build. A **warning** does not: something comes out, and perhaps not what was meant. A **hint** is shown by `check` alone.
-Each code has a page, with a script that brings it about and one that does it well.
+What `facescript` tells an author: a code, a sentence, the exact place, and a fix where one is known. An **error**
+stands in the way of a build. A **warning** does not: something comes out, and perhaps not what was meant. A
+**hint** is shown by `check` alone. Each code has a page, with a script that brings it about and one that does it
+well.
 """
 
 
 def families() -> list[tuple[str, str]]:
     """The first digits of the codes, and what they are about."""
-    return list(make_diagnostics.FAMILIES.items())
+    return list(FAMILIES.items())
 
 
 def of_family(digit: str) -> list[Entry]:
@@ -47,24 +54,33 @@ def _family(digit: str, title: str, entries: list[Entry]) -> str:
     return f"## FS{digit}xx: {title}\n\n{table(('code', 'is', 'severity'), rows)}"
 
 
-def _text(entry: Entry) -> str:
-    said = f"**{str(entry.severity).capitalize()}.** {make_diagnostics.sentence(entry)}\n"
-    parts = [f"# {entry.code} {entry.name}\n", said, f"{entry.why}\n" if entry.why else "", *_scripts(entry)]
+def _told() -> dict[str, str]:
+    """What the one page says under each code."""
+    text = re.sub(r"^## .*\n", "", SOURCE.read_text("utf-8"), flags=re.MULTILINE)
+    _, *parts = SECTION.split(text)
+    return dict(zip(parts[::2], parts[1::2], strict=True))
+
+
+def _text(entry: Entry, told: str) -> str:
     related = ", ".join(f"[{each.code} {each.name}]({each.code}.md)" for each in related_to(entry))
-    return "\n".join([*filter(None, parts), f"## Related\n\n{related}.\n" if related else ""])
+    parts = [
+        f"# {entry.code} {entry.name}\n",
+        _titled(told.strip()) + "\n",
+        f"## Related\n\n{related}.\n" if related else "",
+    ]
+    return "\n".join(filter(None, parts))
 
 
-def _scripts(entry: Entry) -> Iterator[str]:
-    """What brings the code about, and what does it well."""
-    if entry.stage == "command":
-        command = make_diagnostics.block("console", f"$ facescript {' '.join(entry.command)}")
-        yield f"## This brings it about\n\n{command}"
-    elif entry.stage == "unforced":
-        yield "No script brings it about: it tells of a fault of the machine.\n"
-    else:
-        yield f"## This brings it about\n\n{make_diagnostics.block('face-bad', entry.bad)}"
-        yield f"## This does it well\n\n{make_diagnostics.block('face', entry.good)}"
-        yield from make_diagnostics.files(entry)
+def _titled(told: str) -> str:
+    """With a heading before what brings the code about, and one before what does it well."""
+    found = re.search(r"^```(?:face-bad)?$", told, re.MULTILINE)
+    if found is None:
+        return told
+    said, shown = told[: found.start()], told[found.start() :].replace("\n```face\n", f"\n{WELL}\n\n```face\n", 1)
+    return f"{said}{BADLY}\n\n{shown}"
+
+
+BADLY, WELL = "## This brings it about", "## This does it well"
 
 
 def related_to(entry: Entry) -> list[Entry]:

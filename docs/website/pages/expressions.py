@@ -15,7 +15,9 @@ from website.page import Page, anchor, block, heading, portrait, row, sentence
 def pages() -> Iterator[Page]:
     units = [each for each in defined("expression") if UNIT_NAME.fullmatch(each.name)]
     others = [each for each in defined("expression") if each not in units]
-    yield Page("reference/expressions.md", "Expressions", HEAD + _shown("neutral", "show neutral", "at rest") + _all(others))
+    yield Page(
+        "reference/expressions.md", "Expressions", HEAD + _shown("neutral", "show neutral", "at rest") + _all(others)
+    )
     undrawn = ", ".join(f"AU{number}" for number in sorted(UNDRAWABLE))
     yield Page("reference/units.md", "Units of FACS", UNIT_HEAD.format(undrawn=undrawn) + _all(units))
 
@@ -23,9 +25,10 @@ def pages() -> Iterator[Page]:
 HEAD = """\
 # Expressions
 
-What a sum may name, at 100 %: as strong as it looks natural. A degree says how much of it (`smile 40%`), a side which half of the
-face (`smile.left`). Scripts [define](definitions.md#expression) their own; a definition of yours covers the library's of the
-same name. [The language](../language.md#7-muscles-sums-and-the-library) says how they add up.
+What a sum may name, at 100 %: as strong as it looks natural. A degree says how much of it (`smile 40%`), a side
+which half of the face (`smile.left`). Scripts [define](definitions.md#expression) their own; a definition of yours
+covers the library's of the same name. [The language](../language.md#7-muscles-sums-and-the-library) says how they
+add up.
 
 ## `neutral` {#neutral}
 
@@ -36,9 +39,9 @@ A sum of nothing: the face at rest. It is a word of the language.
 UNIT_HEAD = """\
 # Units of FACS
 
-The units of the Facial Action Coding System over [muscles](muscles.md), lids and [channels](channels.md). 100 % is the strongest
-contraction (intensity E); A to D may be written as lower degrees. Left and right are the face's own. These faces cannot draw
-{undrawn} and the codes above AU64: they are refused by name (FS219).
+The units of the Facial Action Coding System over [muscles](muscles.md), lids and [channels](channels.md). 100 % is
+the strongest contraction (intensity E); A to D may be written as lower degrees. Left and right are the face's own.
+These faces cannot draw {undrawn} and the codes above AU64: they are refused by name (FS219).
 
 """
 
@@ -49,10 +52,14 @@ def _all(definitions: list[Definition]) -> str:
 
 def _entry(each: Definition) -> str:
     told = sentence(comment(each)) + "\n" if comment(each) and UNIT_NAME.fullmatch(each.name) else ""
-    verb = next((name for name in VERBS if each.name in (f"{name}ing", f"{name}king", f"{name}ding", f"{name[:-1]}ing")), "")
+    verb = next(
+        (name for name in VERBS if each.name in (f"{name}ing", f"{name}king", f"{name}ding", f"{name[:-1]}ing")), ""
+    )
     far = f"The far pose of [`{verb}`](statements/{verb}.md).\n" if verb else ""
     parts = [heading(each.name), told, far, block(written(each), "face-part"), f"Moves {_linked(moves(each))}.\n"]
-    return "\n".join([*(part for part in parts if part), _shown(each.name, f"show {each.name}", each.name, _parts(each))])
+    return "\n".join(
+        [*(part for part in parts if part), _shown(each.name, f"show {each.name}", each.name, _parts(each))]
+    )
 
 
 def _parts(each: Definition) -> bool:

@@ -27,7 +27,8 @@ All that a script may say, made from the tables that the compiler reads. Picture
 | what stands outside of all blocks | [definitions](definitions.md), [film](film.md), [face](face.md) |
 | quantities, units, sums, colours | [values and words](values.md) |
 | what can be looked at | [targets](targets.md) |
-| what a face can show | [expressions](expressions.md), [units of FACS](units.md), [muscles](muscles.md), [channels](channels.md) |
+| what a face can show | [expressions](expressions.md), [units of FACS](units.md) |
+| what that moves | [muscles](muscles.md), [channels](channels.md) |
 | what it does unasked | [lives](lives.md) |
 | verbs of the library | [actions](actions.md) |
 | faces and how they look | [kinds of faces](kinds.md) |

@@ -22,9 +22,9 @@ def pages() -> Iterator[Page]:
 HEAD = """\
 # Kinds of faces
 
-What may stand behind `face NAME =`. Every script plays on every kind. A face chooses among the looks of its kind by name
-(`hair bob auburn`, `glasses round tortoise`), may take any colour as `#rrggbb`, and with `seed 12` draws whatever is not said.
-A kind of your own is [drawn](../faces.md) in a script.
+What may stand behind `face NAME =`. Every script plays on every kind. A face chooses among the looks of its kind by
+name (`hair bob auburn`, `glasses round tortoise`), may take any colour as `#rrggbb`, and with `seed 12` draws
+whatever is not said. A kind of your own is [drawn](../faces.md) in a script.
 """
 
 UNSEEN_TEXT = f"""\

@@ -26,17 +26,19 @@ def pages() -> Iterator[Page]:
 LIFE_HEAD = """\
 # Lives
 
-What a face does unasked: blinks, brow raises, sway, nods before pauses, small saccades, looks away. A life is a preset with knobs
-(`life calm, blink 8/min`); it stands [under a face](face.md), [in a scene](statements/life.md) or [has a name](definitions.md#life).
-`calm` is the usual one. [The language](../language.md#12-life) says how they move.
+What a face does unasked: blinks, brow raises, sway, nods before pauses, small saccades, looks away. A life is a
+preset with knobs (`life calm, blink 8/min`); it stands [under a face](face.md), [in a scene](statements/life.md) or
+[has a name](definitions.md#life). `calm` is the usual one. [The language](../language.md#12-life) says how they
+move.
 
 """
 
 ACTION_HEAD = """\
 # Actions
 
-The library's verbs for talk in turns. The first argument follows the name, the others are modifiers by name (`listen ada, lasting
-2s`). Scripts [define](definitions.md#action) their own. [The language](../language.md#14-definitions) has a dialogue with them.
+The library's verbs for talk in turns. The first argument follows the name, the others are modifiers by name
+(`listen ada, lasting 2s`). Scripts [define](definitions.md#action) their own. [The
+language](../language.md#14-definitions) has a dialogue with them.
 
 """
 
@@ -48,10 +50,20 @@ def _knobs() -> str:
 
 def _life(each: Definition) -> str:
     fence = f'```face-picture {{film="0s to 5s" wide="240" alt="Five seconds of {each.name}."}}\n'
-    return "\n".join([heading(each.name), block(written(each), "face-part"), f"{fence}{SHOWN.format(name=each.name)}```\n"])
+    return "\n".join(
+        [heading(each.name), block(written(each), "face-part"), f"{fence}{SHOWN.format(name=each.name)}```\n"]
+    )
 
 
 def _action(each: Definition) -> str:
     given = [" ".join(parameter.span.text.split()) for parameter in parameters_of(each)]
     form = ", ".join([" ".join([each.name, *given[:1]]), *given[1:]])
-    return "\n".join([heading(each.name), block(form, "face-part"), sentence(comment(each)) + "\n", "As it stands in the library:\n", block(each.node.span.text, "face-part")])
+    return "\n".join(
+        [
+            heading(each.name),
+            block(form, "face-part"),
+            sentence(comment(each)) + "\n",
+            "As it stands in the library:\n",
+            block(each.node.span.text, "face-part"),
+        ]
+    )

@@ -1,4 +1,4 @@
-"""The 14 pairs of muscles to their page: what each does, which units of FACS use it, pictures of both sides and each."""
+"""The 14 pairs of muscles to their page: what each does, its units of FACS, pictures of both sides and each."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def pages() -> Iterator[Page]:
 HEAD = """\
 # Muscles
 
-14 pairs. The name alone is both sides, `.left` and `.right` are the face's own: its left is the viewer's right. Amounts are from
-0 % to 100 %; muscles that several things drive add up and then meet a soft limit
-([the blending law](../language.md#9-the-blending-law)). Tables have a column a side, from 0 to 1.
+14 pairs. The name alone is both sides, `.left` and `.right` are the face's own: its left is the viewer's right.
+Amounts are from 0 % to 100 %; muscles that several things drive add up and then meet a soft limit ([the blending
+law](../language.md#9-the-blending-law)). Tables have a column a side, from 0 to 1.
 
 """
 

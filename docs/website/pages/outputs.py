@@ -13,15 +13,17 @@ from website.page import Page, sentence, table
 
 
 def pages() -> Iterator[Page]:
-    yield Page("reference/outputs.md", "Outputs", OUTPUT_HEAD + table(("suffix", "is", "besides"), map(_output, BACKENDS)))
+    yield Page(
+        "reference/outputs.md", "Outputs", OUTPUT_HEAD + table(("suffix", "is", "besides"), map(_output, BACKENDS))
+    )
     yield Page("reference/voices.md", "Voices", VOICE_HEAD + "\n".join(_engine(row) for row in ENGINES.values()))
 
 
 OUTPUT_HEAD = """\
 # Outputs
 
-`facescript build SCRIPT -o OUT` makes whatever the suffix says; `-o` may stand several times. The same script gives the same
-bytes. [The language](../language.md#19-the-outputs-and-their-channels) says what is in each; packages may
+`facescript build SCRIPT -o OUT` makes whatever the suffix says; `-o` may stand several times. The same script gives
+the same bytes. [The language](../language.md#19-the-outputs-and-their-channels) says what is in each; packages may
 bring others (entry points `facescript.backends`).
 
 """
@@ -29,8 +31,9 @@ bring others (entry points `facescript.backends`).
 VOICE_HEAD = """\
 # Voices
 
-Behind `voice` stands a language, then `female`, `male` or a variant's name, or an engine and its voice: `voice en-us female`,
-`voice en-us flite "slt"`. [Speech](../speech.md) has the engines. `facescript list voices` lists what your machine has.
+Behind `voice` stands a language, then `female`, `male` or a variant's name, or an engine and its voice: `voice
+en-us female`, `voice en-us flite "slt"`. [Speech](../speech.md) has the engines. `facescript list voices` lists
+what your machine has.
 
 """
 

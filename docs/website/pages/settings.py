@@ -14,13 +14,13 @@ def pages() -> Iterator[Page]:
 
 
 FILM_HEAD = """\
-What the outputs are like, once for a script; in one line or several, each thing once. The command line may say otherwise
-(`--size`, `--fps`, `--seed`).
+What the outputs are like, once for a script; in one line or several, each thing once. The command line may say
+otherwise (`--size`, `--fps`, `--seed`).
 """
 
 FACE_HEAD = """\
-Behind its [kind](kinds.md), on its line after commas or on lines below it. Looks that are not said are the kind's usual ones,
-or drawn by `seed`. Without any `face` a script has one, a woman whose name is `somebody`.
+Behind its [kind](kinds.md), on its line after commas or on lines below it. Looks that are not said are the kind's
+usual ones, or drawn by `seed`. Without any `face` a script has one, a woman whose name is `somebody`.
 """
 
 
@@ -28,7 +28,14 @@ def _page(name: str, head: str, rows: Iterable[Modifier]) -> str:
     row = DEFINITIONS[name]
     listed = ((f"`{each.form}`", sentence(each.help), _more(each)) for each in rows)
     return "\n".join(
-        [f"# {name}\n", block(row.form, "face-part"), head, examples()[name], "## Settings\n", table(("written", "is", "more"), listed)]
+        [
+            f"# {name}\n",
+            block(row.form, "face-part"),
+            head,
+            examples()[name],
+            "## Settings\n",
+            table(("written", "is", "more"), listed),
+        ]
     )
 
 
@@ -42,4 +49,8 @@ def _more(row: Modifier) -> str:
         return "[lives](lives.md)"
     if row.name == "screen":
         return "[the flat screen](../language.md#6-the-flat-screen)"
-    return "[kinds and looks](kinds.md)" if row.takes == "look" or row.name in ("age", "width", "make-up", "freckles") else ""
+    return (
+        "[kinds and looks](kinds.md)"
+        if row.takes == "look" or row.name in ("age", "width", "make-up", "freckles")
+        else ""
+    )

@@ -34,16 +34,18 @@ READ = {
 """Where the language tells of each verb."""
 
 KINDS = {
-    "TARGET": "targets.md",
-    "CROWD": "targets.md",
-    "SUM": "values.md#sum",
-    "TIME": "values.md#time",
-    "PERCENTAGE": "values.md#percentage",
-    "COLOUR": "values.md#colour",
-    "PRESET": "lives.md",
-    "FACE": "face.md",
+    "TARGET": "[what can be looked at](../targets.md)",
+    "CROWD": "[a target of several places](../targets.md)",
+    "SUM": "[expressions, units, muscles and channels with their degrees](../values.md#sum)",
+    "TIME": "[a time](../values.md#time), such as `2s`",
+    "PERCENTAGE": "[how much](../values.md#percentage), such as `40%`",
+    "COLOUR": "[a colour](../values.md#colour), such as `#dfe8f2`",
+    "PRESET": "[a life](../lives.md) of the library or of yours",
+    "FACE": "the name of [a face](../face.md)",
+    "NAME": "an expression that is shown, or a name that `as` gave",
+    "TEXT": "what is said, with [its signs](../../language.md#10-speech-and-texts)",
 }
-"""The words of forms that stand for something, and where it is told what."""
+"""What the words in capitals of a form stand for."""
 
 
 def pages() -> Iterator[Page]:
@@ -57,8 +59,8 @@ HEAD = """\
 # Statements
 
 What a face does, a line each: `[face:] verb words, modifier, modifier`. [Blocks](../blocks.md) hold statements,
-[definitions](../definitions.md) stand outside of them; [actions](../actions.md) are verbs that scripts and the library define.
-When each is over, and the next begins, stands under [time](../../language.md#4-time).
+[definitions](../definitions.md) stand outside of them; [actions](../actions.md) are verbs that scripts and the
+library define. When each is over, and the next begins, stands under [time](../../language.md#4-time).
 """
 
 
@@ -71,9 +73,9 @@ def _text(verb: Verb) -> str:
 
 
 def _kinds(verb: Verb) -> str:
-    """Where the words in capitals are told."""
-    links = [f"[{kind}](../{page})" for kind, page in KINDS.items() if re.search(rf"\b{kind}\b", verb.form)]
-    return f"{', '.join(links)}: what may stand there.\n" if links else ""
+    """What the words in capitals are."""
+    rows = (f"- {kind}: {says}" for kind, says in KINDS.items() if re.search(rf"\b{kind}\b", verb.form))
+    return "\n".join(rows) + "\n"
 
 
 def _modifiers(verb: Verb) -> str:

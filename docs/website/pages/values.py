@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from facescript.resolve.units import EXAMPLES, LARGEST, UNITS, article, written
 from facescript.resolve.words import DEFINITIONS, EASES, GIVEN, JOINING
-from website.page import Page, block, heading, sentence, shown, table
+from website.page import Page, block, sentence, shown, table
 
 
 def pages() -> Iterator[Page]:
@@ -45,11 +45,36 @@ head.roll 8deg`. The percentage behind a name is its degree, a name alone is 100
 
 FORMS = (
     ("camera", "", "camera", "Straight ahead, where a face looks until told."),
-    ("a place by its direction", "target lamp at 25deg 10deg 2m", "lamp", "Azimuth (+ is the viewer's right), elevation, distance from the picture's centre."),
-    ("a place in the room", "target cup at 25cm -14cm 25cm", "cup", "x to the viewer's right, y up, z out of the screen."),
-    ("a place in the picture", "target chart at -45% 30%", "chart", "Shares of the picture's width and height from its centre."),
-    ("one of a crowd", "target crowd of (-60cm 0cm 1m) (0cm 5cm 1m) (60cm 10cm 1m)", "crowd.3", "Members are counted from 1; `crowd.nearest` is the nearest."),
-    ("what moves", "target fly moves\n    0s -60cm 0cm 1m\n    1s -50cm 25cm 1m", "fly", "Keys below; `lost` between two keys says that nobody sees it; `from \"track.csv\"` follows a file."),
+    (
+        "a place by its direction",
+        "target lamp at 25deg 10deg 2m",
+        "lamp",
+        "Azimuth (+ is the viewer's right), elevation, distance from the picture's centre.",
+    ),
+    (
+        "a place in the room",
+        "target cup at 25cm -14cm 25cm",
+        "cup",
+        "x to the viewer's right, y up, z out of the screen.",
+    ),
+    (
+        "a place in the picture",
+        "target chart at -45% 30%",
+        "chart",
+        "Shares of the picture's width and height from its centre.",
+    ),
+    (
+        "one of a crowd",
+        "target crowd of (-60cm 0cm 1m) (0cm 5cm 1m) (60cm 10cm 1m)",
+        "crowd.3",
+        "Members are counted from 1; `crowd.nearest` is the nearest.",
+    ),
+    (
+        "what moves",
+        "target fly moves\n    0s -60cm 0cm 1m\n    1s -50cm 25cm 1m",
+        "fly",
+        'Keys below; `lost` between two keys says that nobody sees it; `from "track.csv"` follows a file.',
+    ),
 )
 """Forms of targets that one face can look at: what it is, its definition, how it is named, a sentence."""
 
@@ -80,7 +105,8 @@ ada: look at bruno.mouth
 
 ## A person of a reaction
 
-The name that `when person arrives as guest:` gives, and `people.nearest` ([reactions](../language.md#16-reactions-and-events)).
+The name that `when person arrives as guest:` gives, and `people.nearest`
+([reactions](../language.md#16-reactions-and-events)).
 
 ## A direction
 

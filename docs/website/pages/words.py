@@ -1,4 +1,4 @@
-"""The tables of blocks, definitions and modifiers to a page each: every row with its form, its meaning and an example."""
+"""The tables of blocks, definitions and modifiers to a page each: form, meaning and example of every row."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ BLOCK_HEAD = """\
 # Blocks
 
 What holds statements. After the colon stands one statement, or an indented block. The last three end a reaction
-([`when`](definitions.md#when)). [Time](../language.md#4-time) and [repeats](../language.md#15-repeats-and-choices) say more.
+([`when`](definitions.md#when)). [Time](../language.md#4-time) and [repeats](../language.md#15-repeats-and-choices)
+say more.
 
 """
 
@@ -38,7 +39,10 @@ What says a statement more closely. Those without a comma follow directly, all o
 
 
 def _openers(rows: Iterable[Opener]) -> str:
-    parts = ([heading(row.name), block(row.form, "face-part"), sentence(row.help) + "\n", examples()[row.name]] for row in rows)
+    parts = (
+        [heading(row.name), block(row.form, "face-part"), sentence(row.help) + "\n", examples()[row.name]]
+        for row in rows
+    )
     return "\n".join(part for opener in parts for part in opener)
 
 
