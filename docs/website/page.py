@@ -57,12 +57,15 @@ def row(cells: Iterable[str]) -> str:
     return f'<div class="shown" markdown="1">\n\n{items}\n</div>\n'
 
 
-PORTRAIT = "film 400x400\nface x = {kind}\n    life still\n{line}\nwait 2s\n"
+PORTRAIT = "film 400x400\nface x = {kind}\n    life still\nview x {near}\n{line}\nwait 2s\n"
 """One face that does one thing, at rest besides."""
 
+NEAR, WHOLE = "150%", "100%"
+"""How near a portrait is: the face alone, or head and shoulders."""
 
-def portrait(line: str, alt: str, kind: str = "woman", wide: int = 200) -> str:
-    return shown(PORTRAIT.format(kind=kind, line=line), alt, wide)
+
+def portrait(line: str, alt: str, kind: str = "woman", wide: int = 200, near: str = NEAR) -> str:
+    return shown(PORTRAIT.format(kind=kind, line=line, near=near), alt, wide)
 
 
 @cache

@@ -12,7 +12,7 @@ from facescript.performance.channels import CHANNELS, MUSCLES, Channel
 from facescript.resolve.drivers import PRIMITIVES
 from facescript.resolve.kinds.library import kinds_with
 from facescript.space.reach import EYE_DOWN, EYE_SIDE, EYE_UP
-from website.page import Page, heading, portrait, row, table
+from website.page import NEAR, WHOLE, Page, heading, portrait, row, table
 
 YAW, PITCH, ROLL = (f"{limit:g}deg" for limit in HEAD_LIMITS)
 SIDE, UP, DOWN = f"{EYE_SIDE:g}deg", f"{EYE_UP:g}deg", f"{EYE_DOWN:g}deg"
@@ -127,5 +127,6 @@ def _pictures(name: str, shown: Row, kinds: tuple[str, ...]) -> str:
         return ""
     kind = kinds[0] if kinds else "woman"
     ends = dict.fromkeys((shown.low, shown.high))
+    near = WHOLE if name.startswith("head.") else NEAR
     lines = ((f"show {name} {end}{OPENED.get(name, '')}", end) for end in ends)
-    return row(f"{portrait(line, f'A {kind}: {name} {end}.', kind)}\n`{name} {end}`" for line, end in lines)
+    return row(f"{portrait(line, f'A {kind}: {name} {end}.', kind, near=near)}\n`{name} {end}`" for line, end in lines)

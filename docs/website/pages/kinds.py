@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from facescript.resolve.kinds.library import kind_names, library_head
 from facescript.resolve.meanings import FACES
 from facescript.resolve.words import UNSEEN
-from website.page import Page, heading, portrait, row, sentence, shown
+from website.page import WHOLE, Page, heading, portrait, row, sentence, shown
 
 LOOK = "film 300x300\nface x = {kind}, {look}\n    life still\nwait 1s\n"
 
@@ -34,7 +34,10 @@ UNSEEN_TEXT = f"""\
 
 
 def _overview() -> str:
-    return row(f"{portrait('show smile 30%', f'{FACES[kind]}.', kind)}\n[`{kind}`](#{kind})" for kind in kind_names())
+    return row(
+        f"{portrait('show smile 30%', f'{FACES[kind]}.', kind, near=WHOLE)}\n[`{kind}`](#{kind})"
+        for kind in kind_names()
+    )
 
 
 def _kind(kind: str) -> str:

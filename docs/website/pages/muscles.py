@@ -30,7 +30,9 @@ law](../language.md#9-the-blending-law)). Tables have a column a side, from 0 to
 
 def _entry(muscle: str) -> str:
     sides = (("", "both sides"), (".left", "its left"), (".right", "its right"))
-    shown = (portrait(f"show {muscle}{side}", f"A woman: {muscle}, {told}.") for side, told in sides)
+    shown = (
+        f"{portrait(f'show {muscle}{side}', f'A woman: {muscle}, {told}.')}\n`{muscle}{side}`" for side, told in sides
+    )
     return "\n".join([heading(muscle), f"{sentence(MUSCLES_DO[muscle])} {_units(muscle)}\n", row(shown)])
 
 
