@@ -31,7 +31,7 @@ COLOURS: dict[str, _TokenType] = {
     "string": String,
     "support.function": Keyword,
     "support": Name.Constant,
-    "variable.parameter": Name.Attribute,
+    "variable.parameter": Name.Variable,
     "variable": Name,
     "": Text,
 }
