@@ -54,7 +54,7 @@ docs: setup
 # The manual as a site in build/site, to be opened from there or served; it wants no network once its packages are here.
 site: setup
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[docs]'
-	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --config-file docs/website/mkdocs.yml
 
 .PHONY: vscode
 # Wants node 20 or later; its packages come from the npm registry, in the versions of package-lock.json.
