@@ -1,4 +1,4 @@
-"""The manual to a site: what MkDocs calls while it builds (`hooks` of `website/mkdocs.yml`). `make site` writes `build/site`."""
+"""The manual to a site: what MkDocs calls while it builds (`hooks` of `website/mkdocs.yml`), for `make site`."""
 
 from __future__ import annotations
 

@@ -6,12 +6,14 @@ import json
 import posixpath
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from PIL import Image
 from pygments import lexers
 from pygments.token import Keyword, Number, String
-from website import fences, lexer, links, site
+from website import fences, lexer, links, pictures, site
 from website.page import Page, examples
 from website.pages import channels, diagnostics
 from website.textmate import scopes
@@ -146,6 +148,27 @@ def test_settings_that_nobody_can_follow_are_refused(settings: str) -> None:
 def test_a_block_becomes_a_plain_one_with_its_picture_below() -> None:
     page = '```face {film="0s to 1.5s" alt="It nods."}\nnod\n```\n'
     assert fences.plain(page, lambda asked: f"<{asked.start} {asked.end}>") == "```face\nnod\n```\n\n<0.0 1.5>\n"
+
+
+def test_pictures_are_drawn_kept_and_thrown_away(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pictures, "KEPT", tmp_path)
+    pictures.place.cache_clear()
+    still = fences.Picture("picture", "film 64x48\nshow smile", 0.2, 0.2, "A smile.", 32)
+    film, plot = replace(still, kind="film", end=0.4), replace(still, kind="plot", end=0.4)
+    assert pictures.make([still, film, plot]) == 3
+    with Image.open(pictures.place(still)) as one, Image.open(pictures.place(film)) as moving:
+        assert (one.size, moving.size, moving.n_frames) == ((64, 48), (32, 24), 3)
+    assert b"<svg" in pictures.place(plot).read_bytes()
+    assert pictures.make([film]) == 0
+    assert {path.name for path in tmp_path.iterdir()} == {path.name for path in pictures.files(film)}
+    pictures.place.cache_clear()
+
+
+def test_a_block_that_cannot_be_drawn_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pictures, "KEPT", tmp_path)
+    with pytest.raises(pictures.PictureFault, match="smle"):
+        pictures.make([fences.Picture("picture", "show smle\n", 0.0, 0.0, "Nothing.", 32)])
+    pictures.place.cache_clear()
 
 
 def test_few_blocks_are_parts() -> None:
