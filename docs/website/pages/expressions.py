@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from facescript.performance.channels import PARTS
+from facescript.performance.channels import MUSCLES, PARTS
 from facescript.resolve.names import Definition
-from facescript.resolve.words import UNDRAWABLE, UNIT_NAME, VERBS
+from facescript.resolve.shows import POSES
+from facescript.resolve.words import UNDRAWABLE, UNIT_NAME
 from website.library import comment, defined, moves, written
 from website.page import Page, anchor, block, heading, portrait, row, sentence
 
@@ -51,15 +52,17 @@ def _all(definitions: list[Definition]) -> str:
 
 
 def _entry(each: Definition) -> str:
-    told = sentence(comment(each)) + "\n" if comment(each) and UNIT_NAME.fullmatch(each.name) else ""
-    verb = next(
-        (name for name in VERBS if each.name in (f"{name}ing", f"{name}king", f"{name}ding", f"{name[:-1]}ing")), ""
-    )
-    far = f"The far pose of [`{verb}`](statements/{verb}.md).\n" if verb else ""
-    parts = [heading(each.name), told, far, block(written(each), "face-part"), f"Moves {_linked(moves(each))}.\n"]
-    return "\n".join(
-        [*(part for part in parts if part), _shown(each.name, f"show {each.name}", each.name, _parts(each))]
-    )
+    parts = [heading(each.name)]
+    if UNIT_NAME.fullmatch(each.name):
+        parts.append(f"{sentence(comment(each))}\n")
+    if each.name in GESTURES:
+        verb = GESTURES[each.name]
+        parts.append(f"The far pose of [`{verb}`](statements/{verb}.md).\n")
+    parts += [block(written(each), "face-part"), f"Moves {_linked(moves(each))}.\n"]
+    return "\n".join([*parts, _shown(each.name, f"show {each.name}", each.name, _parts(each))])
+
+
+GESTURES = {pose: verb for verb, pose in POSES.items()}
 
 
 def _parts(each: Definition) -> bool:
@@ -83,6 +86,4 @@ def _link(name: str, amount: str) -> str:
 
 
 def _page(base: str) -> str:
-    from website.pages.muscles import NAMES
-
-    return f"muscles.md#{anchor(base)}" if base in NAMES else f"channels.md#{anchor(base)}"
+    return f"muscles.md#{anchor(base)}" if base in MUSCLES else f"channels.md#{anchor(base)}"

@@ -11,8 +11,6 @@ from facescript.resolve.words import UNIT_NAME
 from website.library import defined, moves
 from website.page import Page, anchor, heading, portrait, row, sentence
 
-NAMES = frozenset(MUSCLES)
-
 
 def pages() -> Iterator[Page]:
     yield Page("reference/muscles.md", "Muscles", HEAD + "\n".join(_entry(muscle) for muscle in MUSCLES))
