@@ -25,6 +25,7 @@ MOVED = {
     "LICENSE": "contributing/licence.md",
     "examples": "examples/index.md",
     "editors": "editors.md",
+    "docs/howto": "howto/announcer.md",
 }
 """Files and folders of the checkout, and the pages that they are in the site."""
 

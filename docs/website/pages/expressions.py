@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from facescript.performance.channels import MUSCLES, PARTS
+from facescript.performance.channels import MUSCLES
 from facescript.resolve.names import Definition
 from facescript.resolve.shows import POSES
 from facescript.resolve.words import UNDRAWABLE, UNIT_NAME
@@ -59,19 +59,15 @@ def _entry(each: Definition) -> str:
         verb = GESTURES[each.name]
         parts.append(f"The far pose of [`{verb}`](statements/{verb}.md).\n")
     parts += [block(written(each), "face-part"), f"Moves {_linked(moves(each))}.\n"]
-    return "\n".join([*parts, _shown(each.name, f"show {each.name}", each.name, _parts(each))])
+    return "\n".join([*parts, _shown(each.name, f"show {each.name}", each.name)])
 
 
 GESTURES = {pose: verb for verb, pose in POSES.items()}
 
 
-def _parts(each: Definition) -> bool:
-    """Whether it moves what only animals have."""
-    return any(re.search(rf"\b{part}\b", moves(each)) for part in PARTS)
-
-
-def _shown(name: str, line: str, what: str, parts: bool = False) -> str:
-    kinds = ("woman", "man", "dog") if parts or not UNIT_NAME.fullmatch(name) else ("woman", "man")
+def _shown(name: str, line: str, what: str) -> str:
+    """On people; an expression on the dog too, whose ears and muzzle take part."""
+    kinds = ("woman", "man") if UNIT_NAME.fullmatch(name) else ("woman", "man", "dog")
     return row(portrait(line, f"A {kind}: {what}.", kind) for kind in kinds) + "\n"
 
 
