@@ -88,5 +88,8 @@ def calm(path: Path) -> Path:
 
 
 def _plot(picture: Picture, path: Path) -> None:
+    """As wide as it is shown, so that its words can be read, and as high as its panels need."""
     channels = tuple(name.strip() for name in picture.channels.split(",") if name.strip())
-    write_svg(plotted(_job(picture, 1), Asked("", channels, None)), path)
+    job = _job(picture, 1)
+    high = plotted(job, Asked("", channels)).height
+    write_svg(plotted(job, Asked("", channels, (picture.wide, high))), path)

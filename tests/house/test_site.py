@@ -154,7 +154,7 @@ def test_pictures_are_drawn_kept_and_thrown_away(tmp_path: Path, monkeypatch: py
     monkeypatch.setattr(pictures, "KEPT", tmp_path)
     pictures.place.cache_clear()
     still = fences.Picture("picture", "film 64x48\nshow smile", 0.2, 0.2, "A smile.", 32)
-    film, plot = replace(still, kind="film", end=0.4), replace(still, kind="plot", end=0.4)
+    film, plot = replace(still, kind="film", end=0.4), replace(still, kind="plot", end=0.4, wide=400)
     assert pictures.make([still, film, plot]) == 3
     with Image.open(pictures.place(still)) as one, Image.open(pictures.place(film)) as moving:
         assert (one.size, moving.size, moving.n_frames) == ((64, 48), (32, 24), 3)
