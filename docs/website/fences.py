@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 KINDS = ("picture", "film", "plot")
-WIDE = {"picture": 480, "film": 480, "plot": 700}
+WIDE = {"picture": 480, "film": 480, "plot": 680}
 """How wide each is shown where nothing is said, CSS px."""
 
 FENCE = re.compile(
