@@ -42,7 +42,8 @@ new Promise(done => {
 @pytest.fixture(scope="module")
 def evening(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("evening")
-    assert main(["build", str(EXAMPLES / "evening.face"), "-o", str(folder / "evening.svg"), "--quiet"]) == 0
+    words = ["-o", str(folder / "evening.svg"), "--to", "5s", "--quiet"]
+    assert main(["build", str(EXAMPLES / "evening.face"), *words]) == 0
     return folder / "evening.svg"
 
 
