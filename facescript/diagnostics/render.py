@@ -43,7 +43,8 @@ def as_json(diagnostic: Diagnostic) -> dict[str, Any]:
     """The record that `--json` prints. Lines and columns count from 1, the end is behind the last sign.
 
     A diagnostic without a place has None for its file, lines and columns. `edits` of a fix go from the last place to
-    the first, so that each leaves the places of those after it as they are; a fix without edits is advice.
+    the first, so that each leaves the places of those after it as they are; a fix without edits is advice. `related`
+    are further places that matter, such as an earlier definition.
     """
     place = _place(diagnostic.span) if diagnostic.span else dict.fromkeys(("file", *_BORDERS))
     fixes = [{"title": fix.title, "edits": [_edit(edit) for edit in _backwards(fix)]} for fix in diagnostic.fixes]
@@ -53,6 +54,7 @@ def as_json(diagnostic: Diagnostic) -> dict[str, Any]:
         **place,
         "message": diagnostic.message,
         "fixes": fixes,
+        "related": [{**_place(other.span), "message": other.message} for other in diagnostic.related],
     }
 
 

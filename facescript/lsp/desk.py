@@ -106,7 +106,8 @@ class Desk:
         return Source(document.uri, _plain(document.source))
 
     def _state(self) -> object:
-        return tuple((uri, document.version) for uri, document in self._workspace.text_documents.items())
+        """What all open documents hold; not their versions, which an editor may give twice."""
+        return tuple((uri, document.source) for uri, document in self._workspace.text_documents.items())
 
     def _analysed(self, uri: str) -> Analysis:
         document = _readable(self._workspace.get_text_document(uri))

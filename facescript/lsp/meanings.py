@@ -25,7 +25,7 @@ from facescript.syntax import tree
 
 
 class Meaning(IntEnum):
-    """What a word is; in the order of `semantic_tokens.TYPES`."""
+    """What a word is; in the order of `offered.TOKEN_TYPES`."""
 
     KEYWORD = 0
     FACE = 1

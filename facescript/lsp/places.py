@@ -30,12 +30,16 @@ def offset(source: Source, place: Position) -> int:
     start = source.offset(place.line + 1)
     if start is None:
         return len(source.text)
-    text = source.line(place.line + 1)
-    if text.isascii():
-        return start + min(max(place.character, 0), len(text))
+    return start + column(source.line(place.line + 1), place.character)
+
+
+def column(line: str, count: int) -> int:
+    """The characters of a line that its first UTF-16 units are; of a character cut in the middle, none."""
+    if line.isascii():
+        return min(max(count, 0), len(line))
     units = 0
-    for index, sign in enumerate(text):
+    for index, sign in enumerate(line):
         units += 2 if ord(sign) > 0xFFFF else 1
-        if units > place.character:
-            return start + index
-    return start + len(text)
+        if units > count:
+            return index
+    return len(line)

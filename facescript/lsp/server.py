@@ -1,55 +1,81 @@
-"""The language server itself: the features put together, over standard input and output, TCP or WebSocket."""
+"""The language server itself: the features put together, over standard input and output, TCP or WebSocket.
+
+An editor is answered at once: the features, and with them the compiler, are loaded when it says that it has heard what
+is offered, or when it asks for one.
+"""
 
 from __future__ import annotations
 
+import logging
+from collections.abc import Callable
 from importlib import import_module
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from lsprotocol import types
 from pygls.lsp.server import LanguageServer
 
 from facescript import __version__
-from facescript.lsp.desk import Desk
+from facescript.lsp.documents import Documents
+from facescript.lsp.offered import OFFERED, Offer
+from facescript.lsp.protocol import FaceProtocol, quiet_refusals
 
-FEATURES = (
-    "calls",
-    "colours",
-    "completion",
-    "definition",
-    "diagnostics",
-    "fixes",
-    "folding",
-    "formatting",
-    "highlight",
-    "hover",
-    "inlay_hints",
-    "lenses",
-    "links",
-    "references",
-    "rename",
-    "selection",
-    "semantic_tokens",
-    "signature",
-    "symbols",
-    "workspace_symbols",
-)
-"""The files of `features/`."""
+if TYPE_CHECKING:
+    from facescript.lsp.desk import Desk
+
+Handler = Callable[..., Any]
+F = TypeVar("F", bound=Handler)
 
 
 class FaceServer(LanguageServer):
     """A server of one editor."""
 
     def __init__(self) -> None:
-        super().__init__("facescript", __version__)
+        super().__init__("facescript", __version__, protocol_cls=FaceProtocol)
         self._desk: Desk | None = None
+        self._handlers: dict[str, Handler] = {}
+        super().feature(types.INITIALIZE)(lambda params: self._opened(params))
+        super().feature(types.INITIALIZED)(lambda _: self._load())
+        for offer in OFFERED:
+            super().feature(offer.method, offer.options)(self._answering(offer))
 
     @property
     def desk(self) -> Desk:
         if self._desk is None:
+            from facescript.lsp.desk import Desk
+
             self._desk = Desk(self.workspace)
         return self._desk
 
+    def feature(self, feature_name: str, options: Any = None) -> Callable[[F], F]:
+        """Takes what answers a method that is offered; its options stand in `offered.py`."""
+
+        def take(handler: F) -> F:
+            self._handlers[feature_name] = handler
+            return handler
+
+        return take
+
+    def _answering(self, offer: Offer) -> Handler:
+        def answer(params: Any) -> Any:
+            return self._handler(offer)(self, params)
+
+        return answer
+
+    def _handler(self, offer: Offer) -> Handler:
+        if offer.method not in self._handlers:
+            import_module(f"facescript.lsp.features.{offer.feature}").register(self)
+        return self._handlers[offer.method]
+
+    def _opened(self, params: types.InitializeParams) -> None:
+        """Has the editor's documents kept as `documents.py` does."""
+        pygls = self.workspace
+        self.protocol._workspace = Documents(pygls.root_uri, pygls._sync_kind, params.workspace_folders or [])
+
+    def _load(self) -> None:
+        for offer in OFFERED:
+            self._handler(offer)
+
 
 def make_server() -> FaceServer:
-    server = FaceServer()
-    for name in FEATURES:
-        import_module(f"facescript.lsp.features.{name}").register(server)
-    return server
+    logging.getLogger("pygls.protocol.json_rpc").addFilter(quiet_refusals)
+    return FaceServer()

@@ -8,7 +8,8 @@ import pytest
 from analysing import analysis
 from lsprotocol import types
 
-from facescript.lsp.features.semantic_tokens import MODIFIERS, TYPES, change, semantic_tokens
+from facescript.lsp.features.semantic_tokens import change, semantic_tokens
+from facescript.lsp.offered import TOKEN_MODIFIERS, TOKEN_TYPES
 
 SCRIPT = """\
 face ada = woman  # brown
@@ -38,8 +39,8 @@ def words(text: str, within: types.Range | None = None, **others: str) -> list[t
         line, column = line + down, right if down else column + right
         said = lines[line][2 * column : 2 * (column + length)].decode("utf-16-le")
         signs = "".join(sign for number, sign in ((0, "!"), (2, "*")) if bits >> number & 1)
-        assert bits < 1 << len(MODIFIERS)
-        found.append((said, TYPES[kind].value + signs))
+        assert bits < 1 << len(TOKEN_MODIFIERS)
+        found.append((said, TOKEN_TYPES[kind].value + signs))
     return found
 
 

@@ -91,11 +91,13 @@ def test_a_record_has_lines_and_columns_from_one() -> None:
     source = Source("a/script.face", "nod\nshow smle\n")
     span = Span(source, 9, 13)
     fix = Fix("did you mean `smile`?", (Edit(span, "smile"),))
-    record = as_json(Diagnostic("FS999", Severity.ERROR, "So it is.", span, (fix,)))
+    other = Related(Span(source, 0, 3), "here too")
+    record = as_json(Diagnostic("FS999", Severity.ERROR, "So it is.", span, (fix,), (other,)))
     place = {"file": "a/script.face", "line": 2, "column": 6, "end_line": 2, "end_column": 10}
     assert record == {
         "code": "FS999", "severity": "error", **place, "message": "So it is.",
         "fixes": [{"title": "did you mean `smile`?", "edits": [{**place, "text": "smile"}]}],
+        "related": [{**place, "line": 1, "column": 1, "end_line": 1, "end_column": 4, "message": "here too"}],
     }  # fmt: skip
     assert json.loads(json.dumps(record)) == record
 

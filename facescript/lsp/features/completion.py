@@ -14,8 +14,6 @@ from facescript.lsp.server import FaceServer
 from facescript.lsp.vocabulary import project_of
 from facescript.text import Source
 
-TRIGGERS = (" ", ".", '"', "[", "(", "/")
-
 KINDS = {
     "word": types.CompletionItemKind.Keyword,
     "verb": types.CompletionItemKind.Function,
@@ -74,10 +72,7 @@ def documentation(analysis: Analysis, source: Source, place: types.Position, nam
 def register(server: FaceServer) -> None:
     asked_at: list[tuple[str, types.Position]] = []
 
-    @server.feature(
-        types.TEXT_DOCUMENT_COMPLETION,
-        types.CompletionOptions(trigger_characters=list(TRIGGERS), resolve_provider=True),
-    )
+    @server.feature(types.TEXT_DOCUMENT_COMPLETION)
     def asked(_: FaceServer, params: types.CompletionParams) -> types.CompletionList:
         uri = params.text_document.uri
         if uri not in server.workspace.text_documents:

@@ -88,10 +88,7 @@ def register(server: FaceServer) -> None:
             server.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
         later(0.0)
 
-    @server.feature(
-        types.TEXT_DOCUMENT_DIAGNOSTIC,
-        types.DiagnosticOptions(inter_file_dependencies=True, workspace_diagnostics=False, identifier="facescript"),
-    )
+    @server.feature(types.TEXT_DOCUMENT_DIAGNOSTIC)
     def asked(_: FaceServer, params: types.DocumentDiagnosticParams) -> types.RelatedFullDocumentDiagnosticReport:
         found = server.desk.analysis(params.text_document.uri)
         return types.RelatedFullDocumentDiagnosticReport(items=diagnostics(found))

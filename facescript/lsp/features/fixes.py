@@ -92,7 +92,7 @@ def _workspace_edit(analysis: Analysis, edits: Iterable[Edit]) -> types.Workspac
 
 
 def register(server: FaceServer) -> None:
-    @server.feature(types.TEXT_DOCUMENT_CODE_ACTION, types.CodeActionOptions(code_action_kinds=[QUICK, ALL]))
+    @server.feature(types.TEXT_DOCUMENT_CODE_ACTION)
     def asked(_: FaceServer, params: types.CodeActionParams) -> list[types.CodeAction]:
         if params.text_document.uri not in server.workspace.text_documents:
             return []

@@ -71,7 +71,7 @@ def register(server: FaceServer) -> None:
         except RenameRefused as reason:
             raise _refused(reason) from None
 
-    @server.feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
+    @server.feature(types.TEXT_DOCUMENT_RENAME)
     def _(_: FaceServer, params: types.RenameParams) -> types.WorkspaceEdit | None:
         analysis = asked(server.desk, params.text_document.uri)
         try:

@@ -12,40 +12,8 @@ from facescript.lsp.server import FaceServer
 from facescript.lsp.tokens import Packed, tokens, unpack
 from facescript.text import Source
 
-Type = types.SemanticTokenTypes
-
-TYPES = (
-    Type.Keyword,
-    Type.Class,
-    Type.Variable,
-    Type.EnumMember,
-    Type.Function,
-    Type.Event,
-    Type.Namespace,
-    Type.Parameter,
-    Type.Variable,
-    Type.Type,
-    Type.Property,
-    Type.String,
-    Type.Number,
-    Type.Number,
-    Type.Comment,
-    Type.Operator,
-)
-"""The protocol's word for each `Meaning`: the nearest that editors have colours for."""
-
-MODIFIERS = (
-    types.SemanticTokenModifiers.Definition,
-    types.SemanticTokenModifiers.Readonly,
-    types.SemanticTokenModifiers.DefaultLibrary,
-)
-"""What the bits of a token mean, the lowest first."""
-
 KEPT = 8
 """Documents of which is kept what was told of them."""
-
-LEGEND = types.SemanticTokensLegend([kind.value for kind in TYPES], [modifier.value for modifier in MODIFIERS])
-
 
 Answer = types.SemanticTokens | types.SemanticTokensDelta
 
@@ -113,13 +81,13 @@ class Told:
 def register(server: FaceServer) -> None:
     told = Told()
 
-    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, LEGEND)
+    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL)
     def whole(_: FaceServer, params: types.SemanticTokensParams) -> types.SemanticTokens:
         uri = params.text_document.uri
         numbers = semantic_tokens(server.desk.analysis(uri))
         return types.SemanticTokens(numbers, told.tell(uri, numbers))
 
-    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA, LEGEND)
+    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA)
     def changed(
         _: FaceServer, params: types.SemanticTokensDeltaParams
     ) -> types.SemanticTokens | types.SemanticTokensDelta:
@@ -131,6 +99,6 @@ def register(server: FaceServer) -> None:
             return types.SemanticTokens(numbers, now)
         return types.SemanticTokensDelta(change(before, numbers), now)
 
-    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, LEGEND)
+    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE)
     def part(_: FaceServer, params: types.SemanticTokensRangeParams) -> types.SemanticTokens:
         return types.SemanticTokens(semantic_tokens(server.desk.analysis(params.text_document.uri), params.range))

@@ -107,7 +107,7 @@ def _units(text: str) -> int:
 
 
 def register(server: FaceServer) -> None:
-    @server.feature(types.TEXT_DOCUMENT_SIGNATURE_HELP, types.SignatureHelpOptions(trigger_characters=["(", ",", " "]))
+    @server.feature(types.TEXT_DOCUMENT_SIGNATURE_HELP)
     def asked(_: FaceServer, params: types.SignatureHelpParams) -> types.SignatureHelp | None:
         uri = params.text_document.uri
         if uri not in server.workspace.text_documents:
