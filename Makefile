@@ -64,5 +64,10 @@ vscode: setup
 	cp LICENSE editors/vscode/LICENSE
 	cd editors/vscode && npm ci && npx --no-install vsce package --no-dependencies --allow-missing-repository --out ../../build/facescript.vsix
 
+.PHONY: playground
+# Wants node, as `vscode` does: the editor in the page of `facescript preview`, with colours and help.
+playground:
+	cd editors/web && npm ci && node bundle.mjs
+
 clean:
-	rm -rf $(VENV) build dist editors/vscode/dist editors/vscode/node_modules
+	rm -rf $(VENV) build dist editors/vscode/dist editors/*/node_modules facescript/preview/page/editor.*

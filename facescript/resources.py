@@ -1,4 +1,4 @@
-"""Where the grammar, the library and the summary lie: inside the installed package, or beside it in a checkout."""
+"""Where grammar, library, summary and examples lie: inside the installed package, or beside it in a checkout."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 @cache
 def folder(name: str) -> Path:
-    """The folder `grammar`, `stdlib` or `docs`; of the last only `summary.md` is installed."""
+    """The folder `grammar`, `stdlib`, `docs` or `examples`; of the last two only a part is installed."""
     package = Path(__file__).parent
     installed = package / "_data" / name
     return installed if installed.is_dir() else package.parent / name

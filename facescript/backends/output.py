@@ -11,6 +11,8 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
+BOM = "\ufeff".encode()
+
 
 @dataclass(slots=True)
 class Outputs:
@@ -82,6 +84,14 @@ def write_whole(target: Path, write: Callable[[Path], object]) -> None:
     """One file written by `write` and put in its place."""
     with outputs() as batch:
         write(batch.place(target))
+
+
+def write_script(path: Path, text: str) -> None:
+    """A script written in its place, with the line ends and the mark at its start that it had. Raises `OSError`."""
+    data = path.read_bytes()
+    newline = "\r\n" if b"\r\n" in data else "\n"
+    encoding = "utf-8-sig" if data.startswith(BOM) else "utf-8"
+    write_whole(path, lambda beside: beside.write_text(text, encoding, newline=newline))
 
 
 def _real(target: Path) -> Path:

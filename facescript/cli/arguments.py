@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from dataclasses import dataclass
 
-LATER = ("preview", "live")
+LATER = ("live",)
 """Commands of the language's design that this version refuses by name."""
 
 SPHINX, VOICE = "pocketsphinx", "voice"
@@ -53,7 +53,8 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--captions", metavar="HOW", help="words or sentences in .vtt and .srt, burn for films")
     parser.add_argument("--font", metavar="FILE", help="with --captions burn: a font that has their signs")
     parser.add_argument("--jobs", metavar="N", help="how many processes draw")
-    parser.add_argument("--page", metavar="TEMPLATE", help="for .html: plain, announcer, book, or an .html of your own")
+    templates = "plain, announcer, book, script, or an .html of your own"
+    parser.add_argument("--page", metavar="TEMPLATE", help=f"for .html: {templates}")
     parser.add_argument("--split", action="store_true", help="for .html: sound and motion in a folder beside it")
     parser.add_argument("--draft", action="store_true", help="half the size, for a quick look")
     parser.add_argument("--quiet", action="store_true", help="no progress")
@@ -131,6 +132,16 @@ def _lsp(parser: argparse.ArgumentParser) -> None:
     ways.add_argument("--ws", type=int, metavar="PORT", help="the same over WebSocket")
 
 
+def _preview(parser: argparse.ArgumentParser) -> None:
+    told = "a .face file, a play in .json, or - for standard input; without one a playground opens"
+    parser.add_argument("script", metavar="SCRIPT", nargs="?", help=told)
+    parser.add_argument("--port", metavar="N", help="the port of this machine, where the page is; else a free one")
+    parser.add_argument("--open", action="store_true", help="show the page in the browser")
+    parser.add_argument(
+        "--editor", action="store_true", help="for editors: the text comes, and edits go, as lines of JSON"
+    )
+
+
 COMMANDS = {
     "align": Command("align", "find when the words of a text are said in a recording", _align),
     "build": Command("build", "make films, pictures, tables and sound from a script", _build),
@@ -141,6 +152,9 @@ COMMANDS = {
     "list": Command("list", "list what there is: faces, expressions, voices, ...", _list),
     "new": Command("new", "write a starter script", _new),
     "plot": Command("plot", "draw what is done when, over the curves of what moves", _plot),
+    "preview": Command(
+        "preview", "show a script as a page that follows each save: the face, and its timeline", _preview
+    ),
     "sheet": Command(
         "sheet", "draw faces with all that they can show: expressions, shapes of the mouth, turns", _sheet
     ),

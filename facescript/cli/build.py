@@ -77,7 +77,7 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     start, end = stretch(options, score.duration)
     at = _moment(options, score.duration)
     jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
-    page, font = page_wish(options, world), font_named(options.font)
+    page, font = page_wish(options, world, compiled.source.text), font_named(options.font)
     captions = options.captions or "sentences"
     return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page, captions, font)
 

@@ -9,7 +9,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from facescript.cli.fixing import fixed, put
+from facescript.backends.output import write_script
+from facescript.cli.fixing import fixed
 from facescript.cli.report import OptionFault, in_order, show, show_json
 from facescript.cli.settings import settings
 from facescript.compile import Settings
@@ -48,7 +49,7 @@ def _fix(name: str, source: Source, world: World, chosen: Settings) -> list[Diag
         sys.stdout.write(made.source.text)
     elif made.done and not is_play(source):
         try:
-            put(Path(name), made.source.text)
+            write_script(Path(name), made.source.text)
         except OSError as fault:
             reason = fault.strerror or "it cannot be written"
             return [*_told(source, world, chosen), diagnose("FS903", None, path=name, reason=reason)]

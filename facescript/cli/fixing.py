@@ -4,17 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
 
-from facescript.backends.output import write_whole
 from facescript.diagnostics.edits import edited, fitting
 from facescript.diagnostics.model import Diagnostic, Fix
 from facescript.text import Source
 
 ROUNDS = 20
 """How often a script is looked at again: a fix may bring out a fault that it hid."""
-
-BOM = "\ufeff".encode()
 
 Check = Callable[[Source], list[Diagnostic]]
 
@@ -58,11 +54,3 @@ def _line(item: Diagnostic, fix: Fix) -> str:
     span = fix.edits[0].span
     line, column = span.source.position(span.start)
     return f"{span.source.name}:{line}:{column}: {item.code} {fix.title}"
-
-
-def put(path: Path, text: str) -> None:
-    """Writes a script in its place, with the line ends and the mark at its start that it had. Raises `OSError`."""
-    data = path.read_bytes()
-    newline = "\r\n" if b"\r\n" in data else "\n"
-    encoding = "utf-8-sig" if data.startswith(BOM) else "utf-8"
-    write_whole(path, lambda beside: beside.write_text(text, encoding, newline=newline))

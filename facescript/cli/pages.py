@@ -11,16 +11,17 @@ from facescript.cli.report import OptionFault
 from facescript.world import LARGEST_SCRIPT, World, WorldFailure, decode
 
 
-def page_wish(options: argparse.Namespace, world: World) -> PageWish:
-    """What the options ask for; a template of the author's own is read and checked. Raises `OptionFault`."""
+def page_wish(options: argparse.Namespace, world: World, script: str) -> PageWish:
+    """What the options ask for of a script with this text; a template of the author's own is read and checked. Raises
+    `OptionFault`."""
     name = options.page or TEMPLATES[0]
     if name in TEMPLATES:
-        return PageWish(name, split=options.split)
+        return PageWish(name, split=options.split, script=script)
     try:
         path = _in_project(name, world)
         text = decode(world.read(path, LARGEST_SCRIPT))
         folder = PurePosixPath(path).parent
-        return PageWish(name, checked(text, lambda file: world.read(str(folder / file))), options.split)
+        return PageWish(name, checked(text, lambda file: world.read(str(folder / file))), options.split, script)
     except WorldFailure as fault:
         raise OptionFault("FS940", name=name, reason=fault.args[0], known=_known()) from None
     except TemplateFault as fault:

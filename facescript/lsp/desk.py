@@ -92,7 +92,7 @@ class Desk:
     def worlds(self) -> list[OpenWorld]:
         """The projects at hand: the folders of the workspace, and those of open documents that lie in none of them."""
         texts = self._texts()
-        roots = dict.fromkeys((*self._folders(), *(self._root(path) for path in texts)))
+        roots = dict.fromkeys((*self._folders(), *(self.root(path) for path in texts)))
         return [OpenWorld(root, texts) for root in roots]
 
     def latest(self, uri: str) -> Analysis:
@@ -112,12 +112,13 @@ class Desk:
     def _analysed(self, uri: str) -> Analysis:
         document = _readable(self._workspace.get_text_document(uri))
         path = Path(to_fs_path(uri) or "untitled.face")
-        world = OpenWorld(self._root(path), self._texts())
+        world = OpenWorld(self.root(path), self._texts())
         source = Source(_name(world, path), _plain(document.source))
         compiler = self._compilers.setdefault(uri, Recompiler())
         return Analysis(uri, document.version, world, compiler.compile(source, world, KnownTimes(world)))
 
-    def _root(self, path: Path) -> Path:
+    def root(self, path: Path) -> Path:
+        """The folder of the project that a file belongs to."""
         roots = [folder for folder in self._folders() if path.is_relative_to(folder)]
         return max(roots, key=lambda folder: len(folder.parts), default=path.parent)
 

@@ -37,6 +37,14 @@ TOKEN_MODIFIERS = (Modifier.Definition, Modifier.Readonly, Modifier.DefaultLibra
 TOKENS = types.SemanticTokensLegend([kind.value for kind in TOKEN_TYPES], [kind.value for kind in TOKEN_MODIFIERS])
 
 
+CARET = "facescript/caret"
+"""An editor's word of where the caret is: `TextDocumentPositionParams`."""
+
+PREVIEW = "facescript.preview"
+"""The command that shows a document: its address; a time to play from, or null; false where the editor shows the page
+itself. Answers the page's address, null where there is none."""
+
+
 class Offer(NamedTuple):
     """A method of the protocol, the file that answers it, and what the editor is told of it."""
 
@@ -79,6 +87,8 @@ OFFERED = (
     Offer(types.TEXT_DOCUMENT_INLAY_HINT, "inlay_hints"),
     Offer(types.TEXT_DOCUMENT_CODE_LENS, "lenses"),
     Offer(types.TEXT_DOCUMENT_DOCUMENT_LINK, "links"),
+    Offer(CARET, "preview"),
+    Offer(types.SHUTDOWN, "preview"),
     Offer(types.TEXT_DOCUMENT_REFERENCES, "references"),
     Offer(types.TEXT_DOCUMENT_PREPARE_RENAME, "rename"),
     Offer(types.TEXT_DOCUMENT_RENAME, "rename", types.RenameOptions(prepare_provider=True)),
@@ -94,3 +104,6 @@ OFFERED = (
     Offer(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL, "symbols"),
     Offer(types.WORKSPACE_SYMBOL, "workspace_symbols"),
 )
+
+COMMANDS = (Offer(PREVIEW, "preview"),)
+"""What an editor may have done (`workspace/executeCommand`), by names in the place of methods."""

@@ -34,7 +34,7 @@ def offset(source: Source, place: Position) -> int:
 
 
 def column(line: str, count: int) -> int:
-    """The characters of a line that its first UTF-16 units are; of a character cut in the middle, none."""
+    """The characters of a line, or of any text, that its first UTF-16 units are; of one cut in the middle, none."""
     if line.isascii():
         return min(max(count, 0), len(line))
     units = 0

@@ -16,7 +16,7 @@ from pygls.lsp.server import LanguageServer
 
 from facescript import __version__
 from facescript.lsp.documents import Documents
-from facescript.lsp.offered import OFFERED, Offer
+from facescript.lsp.offered import COMMANDS, OFFERED, Offer
 from facescript.lsp.protocol import FaceProtocol, quiet_refusals
 
 if TYPE_CHECKING:
@@ -33,10 +33,14 @@ class FaceServer(LanguageServer):
         super().__init__("facescript", __version__, protocol_cls=FaceProtocol)
         self._desk: Desk | None = None
         self._handlers: dict[str, Handler] = {}
+        self.followers: list[Callable[[str], None]] = []
+        """Who is told the address of a document that has been opened or edited."""
         super().feature(types.INITIALIZE)(lambda params: self._opened(params))
         super().feature(types.INITIALIZED)(lambda _: self._load())
         for offer in OFFERED:
             super().feature(offer.method, offer.options)(self._answering(offer))
+        for offer in COMMANDS:
+            super().command(offer.method)(self._executing(offer))
 
     @property
     def desk(self) -> Desk:
@@ -55,11 +59,21 @@ class FaceServer(LanguageServer):
 
         return take
 
+    def command(self, command_name: str) -> Callable[[F], F]:
+        """Takes what does a command that is offered."""
+        return self.feature(command_name)
+
     def _answering(self, offer: Offer) -> Handler:
         def answer(params: Any) -> Any:
             return self._handler(offer)(self, params)
 
         return answer
+
+    def _executing(self, offer: Offer) -> Handler:
+        async def execute(*arguments: Any) -> Any:
+            return await self._handler(offer)(self, *arguments)
+
+        return execute
 
     def _handler(self, offer: Offer) -> Handler:
         if offer.method not in self._handlers:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
 from facescript.performance.channels import MOUTH
 from facescript.schedule.score import TimedLine
+from facescript.speech.model import Spoken
 from facescript.speech.mouth.effort import Effort, normal_level
 from facescript.speech.mouth.mouthing import DECAY, PAUSE, breath, lead, mouth_shapes
 from facescript.speech.mouth.room import GAP, arranged
@@ -155,11 +157,25 @@ def _rest(before: Sequence[MouthShape], rested: float, begins: float, on: float)
 
 def _in_film(line: TimedLine, normal: float, table: Table) -> list[MouthShape]:
     """A line's shapes at their times, from its first sound on; none begins after a cut."""
-    limit, effort = line.end, Effort(line.spoken, normal, line.volume)
-    shapes = mouth_shapes(line.spoken.phones, effort, table)
+    limit, shapes = line.end, _shapes(line, normal, table)
     kept = [shape.later(line.start, limit) for shape in shapes if shape.on + line.start < limit]
     moving = [index for index, shape in enumerate(kept) if shape.name != "rest"]
     return kept[moving[0] : moving[-1] + 1] if moving else []
+
+
+_Manner = tuple[float, float, Table]
+_SHAPES: WeakKeyDictionary[Spoken, tuple[_Manner, tuple[MouthShape, ...]]] = WeakKeyDictionary()
+
+
+def _shapes(line: TimedLine, normal: float, table: Table) -> tuple[MouthShape, ...]:
+    """A line's shapes from its start on, kept as long as the line itself is: an edited script speaks most lines as it
+    did before."""
+    manner = normal, line.volume, table
+    found = _SHAPES.get(line.spoken)
+    if found is None or found[0] != manner:
+        shapes = mouth_shapes(line.spoken.phones, Effort(line.spoken, normal, line.volume), table)
+        found = _SHAPES[line.spoken] = manner, shapes
+    return found[1]
 
 
 def _active(shapes: Sequence[MouthShape]) -> list[tuple[float, float]]:

@@ -7,7 +7,21 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import inf
 
-from facescript.ir.acts import Add, Drop, Gesture, Glance, Look, Say, Scan, SetBackground, SetLife, Show, Verb, View
+from facescript.ir.acts import (
+    Add,
+    Drop,
+    Gesture,
+    Glance,
+    Life,
+    Look,
+    Say,
+    Scan,
+    SetBackground,
+    SetLife,
+    Show,
+    Verb,
+    View,
+)
 from facescript.ir.play import Face, Play
 from facescript.motion.expression import layer
 from facescript.schedule.defaults import Concrete, seconds
@@ -24,7 +38,8 @@ GAZE, FACE, GESTURE, SPEECH, LIFE, FILM = "#0072b2", "#d55e00", "#009e73", "#566
 class Bar:
     """An act in time, seconds: it comes in from `start` to `apex`, lets go at `release`, and is gone at `end`.
 
-    `note` says the same in words, with the line of the script.
+    `note` says the same in words, with the line of the script. `span` is where that stands, `act` what is done there:
+    a scene has neither, the life that a face begins with and an event have no act.
     """
 
     start: float
@@ -33,6 +48,8 @@ class Bar:
     end: float
     label: str
     note: str
+    span: Span | None = None
+    act: TimedAct | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,8 +72,8 @@ def film_lanes(score: Score, play: Play) -> Iterator[Lane]:
             yield Lane(name, FILM, tuple(_replaced(score, acts)))
     if play.events:
         concrete = Concrete(play.film.seed)
-        told = [happening(event, number, concrete) for number, event in enumerate(play.events)]
-        yield Lane("event", FILM, tuple(_event(each) for each in sorted(told, key=lambda each: each.time)))
+        told = [_event(happening(event, number, concrete), event.span) for number, event in enumerate(play.events)]
+        yield Lane("event", FILM, tuple(sorted(told, key=lambda bar: bar.start)))
 
 
 def _changes(score: Score, act: TimedAct) -> bool:
@@ -171,16 +188,16 @@ def _gestures(acts: Sequence[TimedAct]) -> Iterator[Bar]:
 
 
 def _lines(score: Score, acts: Sequence[TimedAct], face: str) -> Iterator[Bar]:
-    texts = {_place(act.span): act.verb.text for act in acts if isinstance(act.verb, Say)}
+    said = {(_place(act.span), act.start): act for act in acts if isinstance(act.verb, Say)}
     for line in score.lines:
         if line.face == face:
-            yield _line(line, texts.get(_place(line.span), ""))
+            yield _line(line, said.get((_place(line.span), line.start)))
 
 
-def _line(line: TimedLine, text: str) -> Bar:
-    label = f"“{text}”"
+def _line(line: TimedLine, act: TimedAct | None) -> Bar:
+    label = f"“{line.text}”"
     note = _note(label if line.cut is None else f"{label} (breaks off)", line.span, line.start, line.end)
-    return Bar(line.start, line.start, line.end, line.end, label, note)
+    return Bar(line.start, line.start, line.end, line.end, label, note, line.span, act)
 
 
 def _lives(score: Score, acts: Sequence[TimedAct], face: Face) -> Iterator[Bar]:
@@ -188,14 +205,17 @@ def _lives(score: Score, acts: Sequence[TimedAct], face: Face) -> Iterator[Bar]:
     for number, scene in enumerate(score.scenes):
         if face.name not in scene.faces or not face.seen:
             continue
-        changes = [(scene.start, scene.start, face.life, face.span)]
+        changes: list[tuple[float, float, Life, Span, TimedAct | None]] = [
+            (scene.start, scene.start, face.life, face.span, None)
+        ]
         for act in acts:
             if act.scene == number and isinstance(act.verb, SetLife):
-                changes.append((act.start, act.start + seconds(act.verb.over), act.verb.life, act.span))
+                changes.append((act.start, act.start + seconds(act.verb.over), act.verb.life, act.span, act))
         ends = [change[0] for change in changes[1:]] + [scene.end]
-        for (start, apex, life, span), end in zip(changes, ends, strict=True):
+        for (start, apex, life, span, set_by), end in zip(changes, ends, strict=True):
             if end > start and life.name != "still":
-                yield Bar(start, min(apex, end), end, end, life.name, _note(f"life {life.name}", span, start, end))
+                note = _note(f"life {life.name}", span, start, end)
+                yield Bar(start, min(apex, end), end, end, life.name, note, span, set_by)
 
 
 def _replaced(score: Score, acts: Sequence[TimedAct]) -> Iterator[Bar]:
@@ -209,9 +229,9 @@ def _replaced(score: Score, acts: Sequence[TimedAct]) -> Iterator[Bar]:
             yield _bar(act, min(act.settled, end), end, end)
 
 
-def _event(event: Happening) -> Bar:
+def _event(event: Happening, span: Span) -> Bar:
     what = f"{event.person} {event.kind}" if event.person else f"{event.kind} “{event.text}”"
-    return Bar(event.time, event.time, event.time, event.time, what, f"event {what}\n{duration(event.time)}")
+    return Bar(event.time, event.time, event.time, event.time, what, f"event {what}\n{duration(event.time)}", span)
 
 
 # ------------------------------------------------------------------------------------------------ bars
@@ -219,7 +239,8 @@ def _event(event: Happening) -> Bar:
 
 def _bar(act: TimedAct, apex: float, release: float, end: float) -> Bar:
     label = _label(act.verb)
-    return Bar(act.start, apex, release, end, label, _note(phrase(act.verb), act.span, act.start, end))
+    note = _note(phrase(act.verb), act.span, act.start, end)
+    return Bar(act.start, apex, release, end, label, note, act.span, act)
 
 
 def _label(verb: Verb) -> str:

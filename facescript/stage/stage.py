@@ -34,6 +34,17 @@ class StageFrames:
     views: Floats
 
 
+@dataclass(frozen=True, slots=True)
+class Moments:
+    """What frames are drawn from: each face's poses array[frame, channel] and whether it is there (array[frame], 0 or
+    1), the ground behind each frame, and `views` as in `StageFrames`. Equal moments look the same."""
+
+    poses: tuple[Floats, ...]
+    present: tuple[Floats, ...]
+    grounds: tuple[Ground, ...]
+    views: Floats
+
+
 class Stage:
     """The whole picture of a film, a pure function of time.
 
@@ -67,21 +78,32 @@ class Stage:
 
     def frames(self, times: Floats) -> StageFrames:
         """The picture at `times` (seconds from the film's start, any order)."""
-        points = np.zeros((len(times), self._firsts[-1], 2))
-        opacity, turns = (np.zeros((len(times), len(self._order))) for _ in range(2))
+        return self.drawn(self.moments(times))
+
+    def moments(self, times: Floats) -> Moments:
+        """What is drawn at `times` (seconds from the film's start, any order)."""
+        return Moments(
+            tuple(self._performance.sample_face(actor.name, times) for actor in self._actors),
+            tuple(self._present(actor.name, times) for actor in self._actors),
+            tuple(self._grounds.at(time) for time in times.tolist()),
+            np.array([self._camera.at(time) for time in times.tolist()]).reshape(-1, 3),
+        )
+
+    def drawn(self, moments: Moments) -> StageFrames:
+        """The picture of moments."""
+        count, grounds, views = len(moments.grounds), moments.grounds, moments.views
+        points = np.zeros((count, self._firsts[-1], 2))
+        opacity, turns = (np.zeros((count, len(self._order))) for _ in range(2))
         at = 0
         for number, actor in enumerate(self._actors):
-            poses = self._performance.sample_face(actor.name, times)
-            drawn = actor.draw(poses)
+            drawn = actor.draw(moments.poses[number])
             mine = slice(at, at + len(actor.shapes))
             points[:, self._firsts[number] : self._firsts[number + 1]] = drawn.points
-            opacity[:, mine] = drawn.opacity * self._present(actor.name, times)[:, None]
+            opacity[:, mine] = drawn.opacity * moments.present[number][:, None]
             turns[:, mine] = drawn.turns
             at = mine.stop
         opacity = opacity[:, self._order]
-        grounds = tuple(self._grounds.at(time) for time in times.tolist())
         opacity[:, : self._backdrops] *= np.array([own_share(ground) for ground in grounds])[:, None]
-        views = np.array([self._camera.at(time) for time in times.tolist()]).reshape(-1, 3)
         return StageFrames(self._looked_at(points, views), opacity, turns[:, self._order], grounds, views)
 
     def _place(self) -> None:

@@ -133,6 +133,12 @@ def test_faces_come_and_go_and_may_be_none(job: Job, text: str) -> None:
     assert "Nobody" in heard
 
 
+def test_a_script_stands_in_its_page_as_it_is() -> None:
+    made = page(job_of(SCRIPT, template="script", script=SCRIPT + "# {{title}}\n")).text
+    (shown,) = html.fromstring(made).xpath("//pre")
+    assert shown.text == SCRIPT + "# {{title}}\n"
+
+
 def test_a_template_of_ones_own_and_parts_beside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "logo.svg").write_text("<svg/>", "utf-8")

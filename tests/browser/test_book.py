@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+from accessible import faults
 from chromium import Page
 from PIL import Image
 
@@ -55,6 +56,10 @@ def test_a_chapter_is_gone_to(page: Page) -> None:
     assert page.run("facescript.time") == pytest.approx(start, abs=0.1)
     now = "new Promise(done => setTimeout(() => done(document.querySelector('[aria-current] bdi').textContent), 150))"
     assert page.run(now) == "Two"
+
+
+def test_everybody_can_use_it(page: Page) -> None:
+    assert faults(page) == []
 
 
 def test_the_place_is_kept(page: Page) -> None:

@@ -46,3 +46,8 @@ def test_builds_from_another_folder(installed: Path, tmp_path: Path) -> None:
 def test_the_package_lies_outside_the_checkout(installed: Path, tmp_path: Path) -> None:
     script = "import facescript, facescript.resources as r; print(facescript.__file__, r.folder('stdlib'))"
     assert str(ROOT) not in run(installed / "python", "-c", script, cwd=tmp_path)
+
+
+def test_it_brings_the_playgrounds_examples(installed: Path, tmp_path: Path) -> None:
+    script = "from facescript.preview.examples import examples; print([each.name for each in examples()][:2])"
+    assert run(installed / "python", "-c", script, cwd=tmp_path) == "['hello', 'words']\n"

@@ -19,6 +19,7 @@ class Listening(LanguageServer):
     def __init__(self) -> None:
         super().__init__("listening", "1")
         self.heard: list[tuple[str, str]] = []
+        self.followers: list[object] = []
 
     def answers(self, feature: str) -> None:
         before = set(self.protocol.fm.features)

@@ -1,7 +1,7 @@
-// What VS Code runs for `.face` files: it starts the language server, and plays scripts beside their text.
+// What VS Code runs for `.face` files: it starts the language server, and shows scripts beside their text.
 import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/node";
-import { play } from "./play";
+import { closePreviews, follow, preview, shown } from "./preview";
 import { program } from "./program";
 
 const SETTING = "facescript.path";
@@ -23,9 +23,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   context.subscriptions.push(
     output,
     vscode.commands.registerCommand("facescript.restart", restart),
-    vscode.commands.registerCommand("facescript.play", (uri?: vscode.Uri | string, seconds?: number) =>
-      play(context, output, uri, seconds),
-    ),
+    vscode.commands.registerCommand("facescript.play", open),
+    vscode.window.onDidChangeTextEditorSelection(({ textEditor }) => follow(client, textEditor)),
     vscode.workspace.onDidChangeConfiguration((change) => change.affectsConfiguration(SETTING) && restart()),
   );
   await start();
@@ -41,7 +40,11 @@ async function start(): Promise<void> {
     "facescript",
     "FaceScript",
     { command, args: ["lsp"] },
-    { documentSelector: [{ language: "face" }], outputChannel: output },
+    {
+      documentSelector: [{ language: "face" }],
+      outputChannel: output,
+      middleware: { window: { showDocument: shown } },
+    },
   );
   try {
     await client.start();
@@ -55,7 +58,19 @@ async function start(): Promise<void> {
 async function stop(): Promise<void> {
   const old = client;
   client = undefined;
+  closePreviews();
   if (old?.needsStop()) await old.stop().catch((failure) => output.error(String(failure)));
+}
+
+/** Opens a preview: of the script that is edited, or where a lens is clicked. */
+async function open(uri?: vscode.Uri | string, seconds?: number): Promise<void> {
+  if (!client?.isRunning()) return tell("The preview needs FaceScript's language server, which is not running.");
+  try {
+    await preview(client, uri, seconds);
+  } catch (failure) {
+    output.error(String(failure));
+    void tell(`The preview cannot be opened: ${failure instanceof Error ? failure.message : String(failure)}`);
+  }
 }
 
 async function restart(): Promise<void> {

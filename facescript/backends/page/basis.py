@@ -70,6 +70,10 @@ class Basis:
         ways = np.rint(self._fit / self._reach[:, None] / steps[:, None]).astype(np.int64)
         return ways, steps * WEIGHT
 
+    def moves(self, first: int) -> Floats:
+        """The ways from `first` on as they are, array[way, 2 * point]: pixels for one step of weight. They stay."""
+        return self._fit[first:] / self._reach[first:, None] * WEIGHT
+
     def points(self, weights: Ints) -> Floats:
         """The points array[frame, point, xy] that a page makes of weights."""
         ways, steps = self.ways()

@@ -70,6 +70,7 @@ def placeholders(job: Job, said: Sequence[Line]) -> dict[str, str]:
         "title": escape(title),
         "author": escape(job.score.film.author),
         "language": escape(said[0].language if said else "en"),
+        "script": escape(job.page.script),
         "face": _face(job, title),
         "controls": resource("controls.html"),
         "text": '<div class="fs-text" data-facescript="text" role="region" aria-label="Text">\n'
@@ -79,7 +80,8 @@ def placeholders(job: Job, said: Sequence[Line]) -> dict[str, str]:
 
 def assembled(job: Job, template: str, parts: Mapping[str, str], folder: str = "", scripts: Sequence[str] = ()) -> Page:
     """A template with its placeholders' `parts`, the player, further `scripts`, and the film they play."""
-    script = f'(() => {{\n"use strict";\n{resource("face.js")}\n{resource("player.js")}\n}})();\n'
+    player = "\n".join(resource(name) for name in ("drawing.js", "face.js", "player.js"))
+    script = f'(() => {{\n"use strict";\n{player}\n}})();\n'
     moved = motion(job)
     film = {
         **figure(job.stage, moved),

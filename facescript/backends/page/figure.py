@@ -1,4 +1,4 @@
-"""Shapes, their paints and what lies behind them to the plain objects that `player.js` draws from."""
+"""Shapes, their paints and what lies behind them to the plain objects that `drawing.js` draws from."""
 
 from __future__ import annotations
 
@@ -17,27 +17,34 @@ Object = dict[str, object]
 
 def figure(stage: Stage, moved: Motion) -> Object:
     """All that does not change from frame to frame; `moved` must be whole."""
-    paints: dict[Paint, int] = {}
     layers: dict[Layer, int] = {}
-    shapes = _shapes(stage.shapes, paints)
     grounds = [
         [frame, [[layers.setdefault(layer, len(layers)), round(share, 4)] for layer, share in ground]]
         for frame, ground in moved.grounds
     ]
     return {
-        "size": [stage.width, stage.height],
-        "fps": RATE,
+        **outlines(stage),
         "frames": moved.frames,
         "partFrames": moved.part_frames,
         "parts": [part.ways for part in moved.parts],
         "cuts": moved.cuts,
-        "steps": {"place": PLACE, "level": 1 / LEVELS, "turn": TURN, "view": VIEW.tolist()},
         "faces": [_face(moved, number) for number in range(len(moved.bases))],
+        "layers": [layer_of(layer, stage.pictures) for layer in layers],
+        "grounds": grounds,
+    }
+
+
+def outlines(stage: Stage) -> Object:
+    """What does not change however faces move: the shapes in drawing order, their paints, and the steps of numbers."""
+    paints: dict[Paint, int] = {}
+    shapes = _shapes(stage.shapes, paints)
+    return {
+        "size": [stage.width, stage.height],
+        "fps": RATE,
+        "steps": {"place": PLACE, "level": 1 / LEVELS, "turn": TURN, "view": VIEW.tolist()},
         "shapes": shapes,
         "paints": [_paint(paint) for paint in paints],
         "still": next((place for place, shape in enumerate(stage.shapes) if shape.moving), len(shapes)),
-        "layers": [_layer(layer, stage.pictures) for layer in layers],
-        "grounds": grounds,
     }
 
 
@@ -79,7 +86,7 @@ def _stops(paint: Linear | Radial) -> list[list[object]]:
     return [[stop.offset, f"{stop.colour}{round(255 * stop.opacity):02x}"] for stop in paint.stops]
 
 
-def _layer(layer: Layer, pictures: Callable[[str], bytes]) -> object:
+def layer_of(layer: Layer, pictures: Callable[[str], bytes]) -> object:
     """A paint, a picture's address, or null for nothing."""
     if isinstance(layer, Photo):
         return {"picture": photo_address(pictures(layer.path))}

@@ -68,8 +68,8 @@ class Motion:
     grounds: tuple[tuple[int, Ground], ...]
 
 
-class _Gathering:
-    """Takes pieces of frames, in time order."""
+class Gathering:
+    """Frames to the weights of ways of moving, which are found as they are asked for."""
 
     def __init__(self, stage: Stage, sample: StageFrames) -> None:
         self._shapes = stage.shapes
@@ -77,18 +77,14 @@ class _Gathering:
         self.faces = _faces(stage)
         points, seen = self._seen(sample)
         self.bases = tuple(Basis(points[:, face], seen[:, face]) for face in self.faces)
-        self.grounds: list[tuple[int, Ground]] = []
 
-    def take(self, first: int, frames: StageFrames) -> tuple[list[Ints], Ints]:
-        """A piece from frame `first` on: the faces' weights array[frame, way], and the rest array[frame, row]:
-        opacities and turns shape by shape, and the view."""
+    def take(self, frames: StageFrames) -> tuple[list[Ints], Ints]:
+        """A piece: the faces' weights array[frame, way], and the rest array[frame, row]: opacities and turns shape by
+        shape, and the view."""
         points, seen = self._seen(frames)
         weights = [
             basis.weights(points[:, face], seen[:, face]) for basis, face in zip(self.bases, self.faces, strict=True)
         ]
-        for number, ground in enumerate(frames.grounds, first):
-            if not self.grounds or self.grounds[-1][1] != ground:
-                self.grounds.append((number, ground))
         graded = np.array([not isinstance(shape.fill, str) for shape in self._shapes], dtype=bool)
         rest = (frames.opacity * LEVELS, frames.turns * graded / TURN, frames.views / VIEW)
         return weights, np.rint(np.concatenate(rest, axis=1)).astype(np.int64)
@@ -109,25 +105,34 @@ def motion(job: Job) -> Motion:
     count = max(2, _frame(job.end - job.start) + 1)
     moments = np.minimum(job.start + np.arange(count) / RATE, job.end)
     sample = job.stage.frames(moments[np.unique(np.linspace(0, count - 1, SAMPLE).astype(np.intp))])
-    gathering = _Gathering(job.stage, sample)
+    gathering = Gathering(job.stage, sample)
     length = round(PART * RATE)
-    parts = []
+    parts, grounds = [], list[tuple[int, Ground]]()
     for first in range(0, count - 1, length):
-        parts.append(_part(job.stage, gathering, first, moments[first : first + length + 1]))
+        parts.append(_part(job.stage, gathering, grounds, first, moments[first : first + length + 1]))
         job.progress(min(first + length, count - 1), count - 1)
     firsts = tuple(face.start for face in gathering.faces)
-    return Motion(count, length, firsts, gathering.bases, tuple(parts), _cuts(job), tuple(gathering.grounds))
+    return Motion(count, length, firsts, gathering.bases, tuple(parts), cuts(job), tuple(grounds))
 
 
-def _part(stage: Stage, gathering: _Gathering, first: int, moments: Floats) -> Part:
+def _part(stage: Stage, gathering: Gathering, grounds: list[tuple[int, Ground]], first: int, moments: Floats) -> Part:
     pieces = []
     step = max(8, PIECE // max(1, gathering.faces[-1].stop if gathering.faces else 1))
     for at in range(0, len(moments), step):
-        pieces.append(gathering.take(first + at, stage.frames(moments[at : at + step])))
+        frames = stage.frames(moments[at : at + step])
+        add_grounds(grounds, first + at, frames.grounds)
+        pieces.append(gathering.take(frames))
     ways = tuple(len(basis) for basis in gathering.bases)
     weights = [_joined([piece[0][face] for piece in pieces], count) for face, count in enumerate(ways)]
     rest = np.concatenate([piece[1] for piece in pieces])
     return Part(ways, packed(np.concatenate([*weights, rest], axis=1).T))
+
+
+def add_grounds(found: list[tuple[int, Ground]], first: int, grounds: Sequence[Ground]) -> None:
+    """Adds what lies behind the frames from `first` on, wherever it is another than before."""
+    for number, ground in enumerate(grounds, first):
+        if not found or found[-1][1] != ground:
+            found.append((number, ground))
 
 
 def _joined(pieces: Sequence[Ints], ways: int) -> Ints:
@@ -150,7 +155,7 @@ def _bounds(shapes: Sequence[Shape]) -> list[bool]:
     return [shape.id in names for shape in shapes]
 
 
-def _cuts(job: Job) -> tuple[int, ...]:
+def cuts(job: Job) -> tuple[int, ...]:
     """The frames at which a scene begins or a view is another at once."""
     views = (act for act in job.score.acts if isinstance(act.verb, View) and act.settled - act.start < 1 / RATE)
     times = [*(scene.start for scene in job.score.scenes), *(act.start for act in views)]

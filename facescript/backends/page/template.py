@@ -20,7 +20,7 @@ PLACEHOLDER = re.compile(r"\{\{\s*([a-z]+)\s*\}\}")
 NEEDED = "face"
 """The placeholder that no template may be without."""
 
-NAMES = ("author", "controls", "face", "language", "text", "title")
+NAMES = ("author", "controls", "face", "language", "script", "text", "title")
 """All placeholders."""
 
 FETCHED = re.compile(

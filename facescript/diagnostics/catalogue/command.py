@@ -107,7 +107,7 @@ COMMAND: tuple[Entry, ...] = (
         HELLO,
         "All others run; these are named so that one may plan.",
         stage="command",
-        command=("preview", "script.face"),
+        command=("live", "script.face"),
     ),
     Entry(
         "FS911",

@@ -1,4 +1,4 @@
-"""Diagnostics FS961 to FS969: plays in JSON, and fixes made by the command line."""
+"""Diagnostics FS961 to FS969: plays in JSON, fixes made by the command line, the preview."""
 
 from __future__ import annotations
 
@@ -85,5 +85,15 @@ PROGRAMS = (
         "The script that was mended goes to standard output, and so does the list of what is left.",
         stage="command",
         command=("check", "--fix", "--json", "-"),
+    ),
+    Entry(
+        "FS967",
+        "port-taken",
+        Severity.ERROR,
+        "The page cannot be at port {port}: {reason}; leave `--port` out, and a free one is found.",
+        HELLO,
+        HELLO,
+        "Another program is there, perhaps an earlier preview, or the system keeps it for itself.",
+        stage="unforced",
     ),
 )

@@ -73,13 +73,19 @@ def register(server: FaceServer) -> None:
                 waiting.pop(uri).cancel()
             waiting[uri] = asyncio.get_running_loop().call_later(pause, push, uri)
 
+    def follow(uri: str) -> None:
+        for follower in server.followers:
+            follower(uri)
+
     @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
-    def opened(_: FaceServer, __: types.DidOpenTextDocumentParams) -> None:
+    def opened(_: FaceServer, params: types.DidOpenTextDocumentParams) -> None:
         later(0.0)
+        follow(params.text_document.uri)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
-    def changed(_: FaceServer, __: types.DidChangeTextDocumentParams) -> None:
+    def changed(_: FaceServer, params: types.DidChangeTextDocumentParams) -> None:
         later(PAUSE)
+        follow(params.text_document.uri)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
     def closed(_: FaceServer, params: types.DidCloseTextDocumentParams) -> None:

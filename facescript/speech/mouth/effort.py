@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import log10, tanh
 from statistics import median
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -74,8 +75,17 @@ class _Level:
     whispered: float
 
 
+_LEVELS: WeakKeyDictionary[Spoken, _Level | None] = WeakKeyDictionary()
+
+
 def _level(spoken: Spoken) -> _Level | None:
-    """None where there is no vowel, or no sound."""
+    """None where there is no vowel, or no sound; kept as long as the line itself is."""
+    if spoken not in _LEVELS:
+        _LEVELS[spoken] = _measured(spoken)
+    return _LEVELS[spoken]
+
+
+def _measured(spoken: Spoken) -> _Level | None:
     sound = heard(spoken).prosody
     vowels = [phone for phone in spoken.phones if _is_vowel(phone)]
     found = [level for level in (_decibels(sound, phone) for phone in vowels) if level is not None]

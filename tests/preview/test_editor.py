@@ -1,0 +1,71 @@
+"""`facescript preview --editor`: the script as an editor has it, to a page that only who has its key may frame."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from io import BytesIO
+from pathlib import Path
+
+import pytest
+
+from facescript.preview.borrowed import Borrowed
+from facescript.preview.editor import Editor, understood
+from facescript.preview.paper import Edit, Refusal
+
+
+@pytest.fixture
+def running(tmp_path: Path) -> Iterator[subprocess.Popen[bytes]]:
+    (tmp_path / "a.face").write_text("nod\n", "utf-8")
+    command = [sys.executable, "-P", "-m", "facescript.cli.main", "preview", "a.face", "--editor"]
+    process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    yield process
+    process.kill()
+    process.wait()
+
+
+def test_its_page_has_a_key_and_it_ends_with_its_editor(running: subprocess.Popen[bytes]) -> None:
+    assert running.stdin is not None and running.stdout is not None
+    address = json.loads(running.stdout.readline())["url"]
+    with urllib.request.urlopen(address) as answer:
+        assert "frame-ancestors" not in answer.headers["Content-Security-Policy"]
+    for wrong in (address.partition("?")[0], f"{address}x"):
+        with pytest.raises(urllib.error.HTTPError, match="403"):
+            urllib.request.urlopen(wrong)
+    running.stdin.close()
+    assert running.wait(60) == 0
+    running.stdout.close()
+
+
+def test_an_edit_is_asked_of_the_editor_for_the_text_that_it_sent() -> None:
+    out = BytesIO()
+    borrowed = Borrowed(Editor(BytesIO(), out), "nod\n")
+    assert borrowed.writable and borrowed.hear({"kind": "text", "version": 12, "text": "\U0001f600 nod\r\nblink"})
+    assert borrowed.text == "\U0001f600 nod\nblink" and borrowed.version == 2
+    borrowed.edit(2, Edit(3, 6, "shake"))
+    assert json.loads(out.getvalue()) == {"kind": "edit", "version": 12, "from": 3, "to": 6, "text": "shake"}
+    assert borrowed.text.endswith("nod\nblink"), "it is as it was until the editor says so"
+    assert borrowed.line(4) == (0, 6) and borrowed.line(9) == (7, 12)
+    for base, edit in ((1, Edit(3, 6, "")), (2, Edit(3, 60, "")), (2, Edit(6, 3, ""))):
+        with pytest.raises(Refusal):
+            borrowed.edit(base, edit)
+    with pytest.raises(Refusal, match="undo it in the editor"):
+        borrowed.undo()
+
+
+def test_what_is_no_message_is_passed_over() -> None:
+    for line in (
+        b"",
+        b"nonsense",
+        b"[]",
+        b'{"kind": "text"}',
+        b'{"kind": "caret", "offset": "1"}',
+        b"[" * 9999,
+        b"\xff",
+    ):
+        assert understood(line) is None
+    assert understood(b'{"kind": "caret", "offset": 1, "more": 2}') == {"kind": "caret", "offset": 1}
