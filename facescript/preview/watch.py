@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import AsyncIterator, Callable, Iterable
 from pathlib import Path
 
-EVERY = 0.04
+EVERY = 0.025
 """Seconds between two looks: a look is a few calls of the system."""
 
 MOST = 200
