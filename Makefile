@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: setup demo test lint bench desk motion speech sheets docs clean
+.PHONY: setup demo test lint bench desk motion speech sheets docs site clean
 
 setup: $(VENV)/.ready
 
@@ -50,6 +50,11 @@ sheets: setup
 docs: setup
 	$(BIN)/python docs/make_diagnostics.py
 	$(BIN)/python docs/make_pictures.py
+
+# The manual as a site in build/site, to be opened from there or served; it wants no network once its packages are here.
+site: setup
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[docs]'
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --config-file docs/website/mkdocs.yml
 
 .PHONY: vscode
 # Wants node 20 or later; its packages come from the npm registry, in the versions of package-lock.json.

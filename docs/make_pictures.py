@@ -210,11 +210,16 @@ of the library, every shape of the mouth, the turns of the head and the eyes, a 
 
 
 def _shown(name: str, time: float) -> str:
-    first = (EXAMPLES / f"{name}.face").read_text("utf-8").partition("\n")[0]
-    told = first.removeprefix(f"# {name}.face: ")
-    sentence = told[0].upper() + told[1:] if first.startswith("#") else f"The shortest script: `{first}`"
     where = f"[`{name}.face`](../examples/{name}.face) at {time:g} s"
-    return f"## {name}\n\n{sentence.removesuffix('.')}. {where}.\n\n![{name}.face](pictures/gallery-{name}.png)\n"
+    return f"## {name}\n\n{told(name)} {where}.\n\n![{name}.face](pictures/gallery-{name}.png)\n"
+
+
+def told(name: str) -> str:
+    """What the first line of an example says it is, as a sentence."""
+    first = (EXAMPLES / f"{name}.face").read_text("utf-8").partition("\n")[0]
+    says = first.removeprefix(f"# {name}.face: ")
+    sentence = says[0].upper() + says[1:] if first.startswith("#") else f"The shortest script: `{first}`"
+    return f"{sentence.removesuffix('.')}."
 
 
 def small(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -5,6 +5,7 @@ A play is written as a script and that is compiled, so that whatever a script ma
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass, replace
 
 from facescript.compile import Compiled, Settings, with_events
@@ -71,7 +72,8 @@ def script_of(
     differing = _difference(scripted, settings)
     if differing is not None:
         span = differing.span or Span(source, 0, 0)
-        diagnostics.add(diagnose("FS962", span, path=differing.path, value=_short(repr(differing.value))))
+        value, other = _shown(differing.value), _shown(differing.other)
+        diagnostics.add(diagnose("FS962", span, path=differing.path, value=value, other=other))
         return None
     return scripted
 
@@ -119,6 +121,10 @@ def _home(span: Span, script: Source, written: Written, source: Source) -> Span:
     line = script.position(span.start)[0]
     found = written.rows[line - 1].span if line <= len(written.rows) else None
     return found if found is not None and found.source.name else Span(source, 0, 0)
+
+
+def _shown(value: object) -> str:
+    return _short(json.dumps(value, ensure_ascii=False, default=repr))
 
 
 def _short(text: str) -> str:

@@ -28,8 +28,14 @@ class Backend:
     opaque: bool = False
 
     def load(self) -> Callable[[Job, Path], None]:
+        """Its function. Raises `JobFailure` where a plug-in names what is not there."""
         module, _, function = self.target.partition(":")
-        return cast("Callable[[Job, Path], None]", getattr(import_module(module), function))
+        try:
+            return cast("Callable[[Job, Path], None]", getattr(import_module(module), function))
+        except (ImportError, AttributeError) as fault:
+            from facescript.backends.job import JobFailure
+
+            raise JobFailure(f"`{self.target}` cannot be loaded: {fault}") from fault
 
 
 BACKENDS = (

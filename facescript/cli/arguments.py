@@ -31,8 +31,12 @@ def _script(parser: argparse.ArgumentParser) -> None:
 
 
 def _settings(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="give a `let` another value")
+    _over(parser)
     parser.add_argument("--seed", metavar="N", help="the seed of all chance")
+
+
+def _over(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="give a `let` another value")
     parser.add_argument("--events", metavar="FILE", help="a file of `event` lines, added to the script's")
 
 
@@ -84,7 +88,7 @@ def _check(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--json", action="store_true", help="a list of objects instead of text")
     parser.add_argument("--fix", action="store_true", help="make all fixes that are sure, then say what is left")
-    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="give a `let` another value")
+    _over(parser)
 
 
 def _explain(parser: argparse.ArgumentParser) -> None:

@@ -141,7 +141,8 @@ def _wrong_unit(project: Project, value: Value, kind: str) -> Refused:
     low, high = bounds(value.amount)
     unit = USUAL_UNIT[kind]
     if value.kind == COUNT and low == high and unit:
-        return _bare_number(project, value, kind, f"{low:.10g}{unit}")
+        part = kind == SHARE and 0.0 < low <= 1.0 and "." in text
+        return _bare_number(project, value, kind, f"{100 * low if part else low:.10g}{unit}")
     called = article(value.kind)
     mend = f"for example `{EXAMPLES[kind]}`"
     fixes: tuple[Fix, ...] = ()
@@ -153,5 +154,5 @@ def _wrong_unit(project: Project, value: Value, kind: str) -> Refused:
 
 def _bare_number(project: Project, value: Value, kind: str, shown: str) -> Refused:
     text = value.span.text
-    fixes = (replace(value.span, shown),) if text.isdigit() else ()
+    fixes = (replace(value.span, shown),) if text.replace(".", "", 1).isdigit() else ()
     return project.refuse("FS301", value.span, fixes=fixes, text=text, wanted=article(kind), example=shown)

@@ -123,6 +123,16 @@ def _report_under(place: Place) -> None:
     place.faults.add("FS134", place.token[2], place.tokens[-1][3])
 
 
+def _is_behind(place: Place) -> bool:
+    return place.index == 1 and place.tokens[0][0] == "STRING" and place.kind != "_NL"
+
+
+def _report_behind(place: Place) -> None:
+    start, end = place.token[2], place.tokens[-1][2]
+    words = " ".join(token[1] for token in place.tokens[place.index : -1]).replace(" ,", ",").lstrip(", ")
+    place.faults.add("FS136", start, end, words=words if len(words) <= LONGEST_HEADER else place.token[1])
+
+
 def _is_joined(place: Place) -> bool:
     return place.kind in ("COLON", "EQUAL") and _break(place) is not None
 
@@ -289,6 +299,7 @@ RULES = (
     Rule(_is_outside, _report_outside),
     Rule(_is_on, _report_on),
     Rule(_is_under, _report_under),
+    Rule(_is_behind, _report_behind),
     Rule(_is_joined, _report_joined),
     Rule(_lacks_equals, _report_equals),
     Rule(_lacks_bracket, _report_bracket),

@@ -21,10 +21,11 @@ Names = Mapping[str, str]
 
 @dataclasses.dataclass(frozen=True, slots=True)
 class Difference:
-    """Where the first play says what the second does not: a path of fields, what is there, and its place."""
+    """Where the first play says what the second does not: a path of fields, what each has there, and its place."""
 
     path: str
     value: object
+    other: object
     span: Span | None
 
 
@@ -52,7 +53,7 @@ def _differing(first: Any, second: Any, names: Names, path: str, span: Span | No
             return None
     elif first == second:
         return None
-    return Difference(path, first, span)
+    return Difference(path, first, second, span)
 
 
 def _is_number(value: object) -> bool:

@@ -17,7 +17,7 @@ ELEMENTS = set(
     "svg title desc style defs g path rect use image clipPath linearGradient radialGradient stop animate "
     "animateTransform foreignObject circle script".split()
 )
-SCRIPT = """film 320x240, 1.5s long, seed 3
+SCRIPT = """film 320x240, 700ms long, seed 3
 face ada = woman, hair #884422
 {more}scene one:
     ada: show smile 60%

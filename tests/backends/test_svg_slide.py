@@ -69,7 +69,7 @@ def test_an_interrupt_ends_all_processes_without_a_word(capfd: pytest.CaptureFix
 
 
 def test_the_file_is_the_same_whatever_the_processes(tmp_path: Path) -> None:
-    (tmp_path / "script.face").write_text("film 320x240, 1s long, seed 3\nface ada = woman\nada: nod\n", "utf-8")
+    (tmp_path / "script.face").write_text("film 320x240, 400ms long, seed 3\nface ada = woman\nada: nod\n", "utf-8")
     for jobs in "13":
         target = tmp_path / f"{jobs}.svg"
         assert main(["build", str(tmp_path / "script.face"), "-o", str(target), "--jobs", jobs, "--quiet"]) == 0

@@ -24,12 +24,12 @@ AUDIO = re.compile(r"(<foreignObject[^>]*>).*?(?=</foreignObject>)", re.DOTALL)
 """What is no SVG."""
 
 SCRIPTS = {
-    "two-people": 'film 640x360, seed 3\nface ada = woman\nface bruno = man\nada: say "Hi, <you> & all."\n',
+    "two-people": 'film 640x360, 500ms long, seed 3\nface ada = woman\nface bruno = man\nada: say "Hi, <you> & all."\n',
     "grounds": (
-        'film 320x180\nbackground "sky.png"\nface ada = dog\n    life still\nwait 200ms\nbackground none over 200ms\n'
-        "background #102040 to #c06040, round over 200ms\nwait 100ms\nview ada 150% over 300ms\n"
+        'film 320x180\nbackground "sky.png"\nface ada = dog\n    life still\nwait 100ms\nbackground none over 100ms\n'
+        "background #102040 to #c06040, round over 100ms\nwait 50ms\nview ada 150% over 150ms\n"
     ),
-    "gorilla": "film 320x180, 1s long\nface kong = gorilla\n    life conversation\nshow smile\n",
+    "gorilla": "film 320x180, 500ms long\nface kong = gorilla\n    life conversation\nshow smile\n",
 }
 
 

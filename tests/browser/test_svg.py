@@ -42,7 +42,8 @@ new Promise(done => {
 @pytest.fixture(scope="module")
 def evening(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("evening")
-    assert main(["build", str(EXAMPLES / "evening.face"), "-o", str(folder / "evening.svg"), "--quiet"]) == 0
+    words = ["-o", str(folder / "evening.svg"), "--to", "5s", "--quiet"]
+    assert main(["build", str(EXAMPLES / "evening.face"), *words]) == 0
     return folder / "evening.svg"
 
 
@@ -126,8 +127,8 @@ def test_a_click_starts_it_where_sound_is_refused(evening: Path) -> None:
         assert page.run("document.documentElement.getCurrentTime()") > 0.1
 
 
-def test_a_still_and_the_shortest_films(evening: Path, tmp_path: Path) -> None:
-    (tmp_path / "short.face").write_text("nod for 60ms\n")
+def test_a_still_and_the_shortest_films(tmp_path: Path) -> None:
+    (tmp_path / "short.face").write_text(f"{DOT}face ada = dot\nnod for 60ms\n", "utf-8")
     for words in (["--at", "10ms"], ["--to", "4ms"], ["--to", "30ms"], []):
         assert main(["build", str(tmp_path / "short.face"), "-o", str(tmp_path / "out.svg"), "--quiet", *words]) == 0
         with Page((tmp_path / "out.svg").as_uri()) as page:

@@ -27,10 +27,10 @@ from facescript.world import World
 
 ROOT = Path(__file__).parents[2]
 DIAGNOSTICS = ROOT / "docs" / "diagnostics.md"
-PAGES = [*sorted(path for path in (ROOT / "docs").glob("*.md") if path != DIAGNOSTICS), ROOT / "README.md"]
+PAGES = [*sorted(path for path in (ROOT / "docs").rglob("*.md") if path != DIAGNOSTICS), ROOT / "README.md"]
 """The examples of `diagnostics.md` are those of the catalogue, which `test_catalogue.py` runs."""
 
-BLOCK = re.compile(r"^```(face|face-bad)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(face|face-bad)(?: \{[^}\n]*\})?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 def blocks(wanted: str) -> Iterator[object]:

@@ -9,23 +9,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from serving import Serving
+from serving import PARTS, SCRIPT, Serving
 
-SCRIPT = """\
-film 480x270, seed 2
-use "parts.face"
-face ada = woman, hair still
-    life still
-scene one:
-    wait 500ms
-    show smile 40% for 1s
-    wait 500ms
-    show wry
-    wait 2s
-"""
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "editors" / "web"
-PARTS = "expression wry = smile.left 60%\n"
 
 
 @pytest.fixture(scope="session")

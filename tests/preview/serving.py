@@ -17,6 +17,21 @@ from websockets.sync.client import ClientConnection, connect
 
 Message = dict[str, Any]
 
+SCRIPT = """\
+film 480x270, seed 2
+use "parts.face"
+face ada = woman, hair still
+    life still
+scene one:
+    wait 500ms
+    show smile 40% for 1s
+    wait 500ms
+    show wry
+    wait 2s
+"""
+PARTS = "expression wry = smile.left 60%\n"
+"""What the preview of all tests shows, and the file that it uses."""
+
 
 WITH_EDITOR = """
 from pathlib import Path

@@ -8,8 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 from chromium import Page, program
-from conftest import SCRIPT
-from serving import Serving
+from serving import SCRIPT, Serving
 
 pytestmark = [
     pytest.mark.xdist_group("preview"),

@@ -9,8 +9,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, suppress
 
 import pytest
-from conftest import PARTS, SCRIPT
-from serving import Message, Serving, said, until
+from serving import PARTS, SCRIPT, Message, Serving, said, until
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection
 

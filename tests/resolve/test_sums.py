@@ -81,8 +81,9 @@ def test_a_metre_that_was_meant_as_a_minute_gets_its_fix() -> None:
     assert item.fixes[0].edits[0].text == "120s"
 
 
-def test_a_bare_number_gets_its_unit() -> None:
-    (item,) = resolved("show smile 40\n")[1]
+@pytest.mark.parametrize("written", ["40", "0.4"])
+def test_a_bare_number_gets_its_unit(written: str) -> None:
+    (item,) = resolved(f"show smile {written}\n")[1]
     assert (item.code, item.fixes[0].edits[0].text) == ("FS301", "40%")
 
 

@@ -43,7 +43,7 @@ PROGRAMS = (
         "FS962",
         "play-unsayable",
         Severity.ERROR,
-        "No script says what this play has at `{path}`: {value}; a play holds what a script can say.",
+        "At `{path}` this play has {value}, which no script says; here a script has {other}.",
         HELLO,
         HELLO,
         "A play is checked by the script that it is. What the script does not say again is in no script.",

@@ -312,6 +312,15 @@ WORDS: tuple[Entry, ...] = (
         "scene a:\n    nod\n",
     ),
     Entry(
+        "FS136",
+        "modifier-misplaced",
+        Severity.ERROR,
+        "A text goes on here; `{words}` belongs behind its first string.",
+        'say "I have"\n    "lost it." as news\nat news.end: nod\n',
+        'say "I have" as news\n    "lost it."\nat news.end: nod\n',
+        "What is said of a line, its name, its pace, stands in one place, behind the first of its strings.",
+    ),
+    Entry(
         "FS135",
         "word-unexpected",
         Severity.ERROR,
