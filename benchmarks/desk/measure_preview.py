@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "preview"))
 from chromium import Page, program
 from serving import Serving
 
-SAVES = 20
+SAVES = 16
 BAR = 400
 """ms from a save to the picture."""
 
@@ -81,7 +81,7 @@ def _saves(serving: Serving, page: Page, script: str) -> Iterator[Row]:
         for number in range(SAVES):
             page.run(f"facescript.time.seek({PLAYHEADS[number % len(PLAYHEADS)]}); 0")
             time.sleep(pause)
-            version = int(page.run("document.getElementById('face').dataset.version"))
+            version = int(page.run("facescript.picture.version"))
             text = script.replace("30%", f"{40 + number + (20 if bar else 0)}%")
             begun = time.perf_counter()
             serving.script.write_text(text, "utf-8")

@@ -54,15 +54,20 @@ def test_without_its_extra_it_says_how_to_get_it(
 def test_it_shows_standard_input_and_ends_quietly(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "facescript.cli.main", "preview", "-", "--port", "0"]
     pipe = subprocess.PIPE
-    with subprocess.Popen(command, cwd=tmp_path, stdin=pipe, stdout=pipe, stderr=pipe, env=dict(os.environ)) as process:
-        assert process.stdin is not None and process.stdout is not None and process.stderr is not None
+    process = subprocess.Popen(command, cwd=tmp_path, stdin=pipe, stdout=pipe, stderr=pipe, env=dict(os.environ))
+    try:
+        assert process.stdin is not None and process.stdout is not None
         process.stdin.write(b"nod\n")
         process.stdin.close()
         found = re.search(rb"127\.0\.0\.1:(\d+)", process.stdout.readline())
         assert found is not None
         with connect(f"ws://127.0.0.1:{int(found[1])}/live", legacy=True) as page:
-            script = json.loads(page.recv(timeout=20))
+            told = [json.loads(page.recv(timeout=20)) for _ in range(2)]
+        script = next(message for message in told if message["kind"] == "script")
         assert (script["text"], script["writable"]) == ("nod\n", False)
         process.send_signal(signal.SIGINT)
         assert process.wait(timeout=20) == 0
-        assert process.stderr.read() == b""
+        assert process.stderr is not None and process.stderr.read() == b""
+    finally:
+        process.kill()
+        process.wait()

@@ -34,6 +34,7 @@ addEventListener("securitypolicyviolation", (event) => wrong.push(event.blockedU
 """
 READY = "window.facescript?.line.view.peaks.length && facescript.line.view.score.lines.length && facescript.line.fresh"
 VIEW = "facescript.line.view"
+HEARD = f"import('/timeline/marks.js').then(({{heard}}) => heard({VIEW}).map(({{text}}) => text))"
 ALT, CTRL, SHIFT = 1, 2, 8
 
 
@@ -138,9 +139,11 @@ def test_lanes_and_words_are_shown(page: Page) -> None:
 def test_what_plays_is_lit(page: Page) -> None:
     smile, line = act(page, "smile"), page.run(f"{VIEW}.score.lines[0]")
     page.run(f"facescript.time.seek({smile['start'] + 0.2})")
-    until(page, f"{VIEW}.lit.some(({{label}}) => label.includes('smile')) && {VIEW}.said.length === 0")
+    until(page, f"{VIEW}.lit.some(({{label}}) => label.includes('smile'))")
+    assert page.run(HEARD) == []
     page.run(f"facescript.time.seek({line['words'][3]['start'] + 0.01})")
-    until(page, f"{VIEW}.said.map(({{text}}) => text).join() === 'cup'")
+    until(page, f"{VIEW}.lit.some(({{label}}) => label.startsWith('“Where'))")
+    assert page.run(HEARD) == ["cup"]
 
 
 def test_a_click_chooses_an_act_and_jumps_to_its_line(page: Page) -> None:

@@ -56,7 +56,13 @@ export function snap(view, times, edges, by) {
 }
 
 function nearest(times, time) {
-  let low = 0, high = times.length;
-  while (low < high) times[low + high >> 1] < time ? low = (low + high >> 1) + 1 : high = low + high >> 1;
-  return [times[low - 1], times[low]].filter((each) => each !== undefined);
+  const after = below(times, time);
+  return [times[after - 1], times[after]].filter((each) => each !== undefined);
+}
+
+// How many of a rising list are not above a value.
+export function below(list, value) {
+  let low = 0, high = list.length;
+  while (low < high) list[low + high >> 1] <= value ? low = (low + high >> 1) + 1 : high = low + high >> 1;
+  return low;
 }

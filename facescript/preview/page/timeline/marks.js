@@ -81,15 +81,17 @@ function dragged(context, view, drag) {
   context.fillRect(Math.round(view.axis.x(drag.snapped)), view.scrolled, 1, view.height);
 }
 
-// The words that are heard now, on a ground of their own.
-function spoken(context, { words, time, theme }) {
-  for (const { word, text, x, y, long } of words) {
-    if (time < word.start || time >= word.end) continue;
-    context.fillStyle = theme.accent;
+// The words in sight that are heard now.
+export const heard = ({ words, time }) => words.filter(({ word }) => word.start <= time && time < word.end);
+
+// Each on a ground of its own.
+function spoken(context, view) {
+  for (const { text, x, y, long } of heard(view)) {
+    context.fillStyle = view.theme.accent;
     context.beginPath();
     context.roundRect(x - 3, y - 12, long + 6, 16, 4);
     context.fill();
-    context.fillStyle = theme.paper;
+    context.fillStyle = view.theme.paper;
     context.fillText(text, x, y);
   }
 }

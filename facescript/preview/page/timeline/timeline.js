@@ -3,6 +3,7 @@ import { Axis } from "./axis.js";
 import { Chooser } from "./chooser.js";
 import { make } from "./dom.js";
 import { report } from "./drag.js";
+import { below } from "./find.js";
 import { Hands } from "./hands.js";
 import { Loop } from "./loop.js";
 import { Note } from "./note.js";
@@ -23,7 +24,7 @@ export class Timeline {
     this.clock = clock;
     this.view = { axis: new Axis(), strips: [], scrolled: 0, height: 0, dense: 1,  // where things are
       score: null, version: 0, peaks: [], words: [],  // what there is
-      time: 0, playing: false, loop: null, lit: [], said: [],  // what plays
+      time: 0, playing: false, loop: null, lit: [],  // what plays
       caret: [], hovered: null, chosen: null, drag: null,  // what is meant
       say: (kind, values) => wire.say(kind, values), letGo: (why) => this.letGo(why) };
     this.curves = new Map();
@@ -74,6 +75,8 @@ export class Timeline {
     for (const face of this.curves.keys()) this.askCurves(face);
     this.lay();
     this.reader.lay(view);
+    this.turns = turns(message);
+    this.step = null;
     this.light();
   }
 
@@ -116,21 +119,20 @@ export class Timeline {
     if (this.light()) this.surface.markLater();
   }
 
-  // What plays and what is heard now is lit; answers whether that is another than before.
+  // What plays now is lit; answers whether anything began or ended since, an act or a word.
   light() {
-    const { view } = this, { time } = view;
-    const lit = view.score.acts.filter((act) => act.start <= time && time < act.end && act.end > act.start);
-    const said = view.words.filter(({ word }) => word.start <= time && time < word.end);
-    const others = !same(lit, view.lit) || !same(said, view.said);
-    Object.assign(view, { lit, said });
-    return others;
+    const { view } = this, { time } = view, step = below(this.turns, time);
+    if (step === this.step) return false;
+    this.step = step;
+    view.lit = view.score.acts.filter((act) => act.start <= time && time < act.end && act.end > act.start);
+    return true;
   }
 
   // Keeps the playhead in sight while it plays, until the reader scrolls away; `again` brings it back.
   follow(again) {
     if (again) this.following = true;
     const { axis, time } = this.view, x = axis.x(time);
-    if (!this.following || axis.whole <= axis.width || x >= 0 && x <= axis.width * TURN) return;
+    if (!this.following || !axis.width || axis.whole <= axis.width || x >= 0 && x <= axis.width * TURN) return;
     const left = axis.left + x - axis.width * BACK;
     const more = x < 0 || axis.left + axis.width < axis.whole - 1;
     if (more && Math.abs(left - axis.left) > 1) this.surface.scrollTo(left);
@@ -193,7 +195,11 @@ export class Timeline {
   }
 }
 
-const same = (one, other) => one.length === other.length && one.every((each, number) => each === other[number]);
+// All times at which an act or a word begins or ends.
+function turns({ acts, lines }) {
+  const parts = [...acts, ...lines.flatMap(({ words }) => words)];
+  return Float64Array.from(parts.flatMap(({ start, end }) => [start, end])).sort();
+}
 
 // The line of a text that an edit makes.
 function written(text, { from, to, text: inside }) {
