@@ -8,6 +8,7 @@ from functools import cached_property
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.play import Film, Play
+from facescript.resolve.memo import Memo
 from facescript.resolve.resolver import resolve
 from facescript.schedule.scheduler import schedule
 from facescript.schedule.score import Score
@@ -82,11 +83,18 @@ def compile_source(source: Source, world: World, voice: VoiceBox, settings: Sett
     return of_script(script, world, voice, diagnostics, settings).finished()
 
 
-def of_script(script: Script, world: World, voice: VoiceBox, diagnostics: Diagnostics, settings: Settings) -> Compiled:
-    """A parsed script; `diagnostics` hold what is wrong with its text."""
+def of_script(
+    script: Script,
+    world: World,
+    voice: VoiceBox,
+    diagnostics: Diagnostics,
+    settings: Settings,
+    memo: Memo | None = None,
+) -> Compiled:
+    """A parsed script; `diagnostics` hold what is wrong with its text, `memo` what former states of it came to."""
 
     def resolved() -> Play | None:
-        return resolve(script, world, diagnostics, settings.overrides)
+        return resolve(script, world, diagnostics, settings.overrides, memo)
 
     return Compiled(script.source, script, diagnostics, resolved, voice, settings)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from facescript.compile import Compiled, Settings, of_script
 from facescript.diagnostics.model import Diagnostics
+from facescript.resolve.memory import Memory
 from facescript.speech.model import VoiceBox
 from facescript.syntax.pieces import Pieces
 from facescript.text import Source
@@ -17,9 +18,10 @@ class Recompiler:
     """
 
     def __init__(self) -> None:
-        self._pieces = Pieces()
+        self._pieces, self._memory = Pieces(), Memory()
 
     def compile(self, source: Source, world: World, voice: VoiceBox) -> Compiled:
         """The same as `compile_source`: tree, diagnostics, play and score; all but the tree when it is asked for."""
         diagnostics = Diagnostics()
-        return of_script(self._pieces.parse(source, diagnostics), world, voice, diagnostics, Settings())
+        script = self._pieces.parse(source, diagnostics)
+        return of_script(script, world, voice, diagnostics, Settings(), self._memory)

@@ -79,6 +79,11 @@ class Span:
     def text(self) -> str:
         return self.source.text[self.start : self.end]
 
+    def part(self, start: int, end: int) -> Span:
+        """The stretch of the same place between two offsets in the source."""
+        begin = self.place.begin
+        return Span(self.place, start - begin, end - begin)
+
     def to(self, other: Span) -> Span:
         """From the start of this span to the end of another in the same source."""
         if other.place is self.place:

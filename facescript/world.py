@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,6 +14,10 @@ LARGEST_SCRIPT = 4 * 1024 * 1024
 
 LARGEST_FILE = 256 * 1024 * 1024
 """Bytes of any other file."""
+
+
+FRESH = 2.0
+"""Seconds in which a file may be written again without another time of writing."""
 
 
 class WorldFailure(Exception):
@@ -57,6 +62,16 @@ class World:
             return self.path(name).is_file()
         except (WorldFailure, OSError):
             return False
+
+    def stamp(self, name: str) -> object:
+        """Something that is equal for a file as long as it is as it was, by what the system says of it."""
+        try:
+            found = (self.root / name).stat()
+        except (OSError, ValueError) as fault:
+            return str(fault)
+        if time.time() - max(found.st_mtime, found.st_ctime) < FRESH:
+            return object()
+        return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns, found.st_mode
 
     def library(self) -> tuple[Source, ...]:
         """The scripts of the standard library, in the order of their names."""

@@ -14,6 +14,7 @@ from tempfile import gettempdir
 from _scripts import lines_of
 from row import Row
 
+from facescript.compile import Compiled
 from facescript.recompile import Recompiler
 from facescript.speech.estimate import EstimatedVoice
 from facescript.text import Source
@@ -66,10 +67,9 @@ class Author:
         self._at += 1
         self._undo.append(self.text)
 
-    def compile(self, whole: bool = False) -> None:
+    def compile(self, whole: bool = False) -> Compiled:
         compiled = self.recompiler.compile(Source("edited.face", self.text), self.world, self.voice)
-        if whole:
-            compiled.finished()
+        return compiled.finished() if whole else compiled
 
 
 def rows() -> Iterator[Row]:
@@ -78,11 +78,14 @@ def rows() -> Iterator[Row]:
         yield _edits(f"an edit in 10,000 lines, {name}", text(10_000), 15, True, (None, 150))
         yield _edits(f"to the tree of 2,000 lines, {name}", text(2_000), 300, False, (5, 20))
         yield _edits(f"to the tree of 10,000 lines, {name}", text(10_000), 150, False, (None, 20))
+        yield _resolves(f"from the tree to the play of 2,000 lines, {name}", text(2_000), 200, (10, 30))
+        yield _resolves(f"from the tree to the play of 10,000 lines, {name}", text(10_000), 100, (None, 60))
     yield _memory()
 
 
 def _edits(what: str, text: str, count: int, whole: bool, bars: tuple[float | None, float]) -> Row:
     author = Author(text)
+    author.compile(whole)
     took = []
     for _ in range(count):
         author.key()
@@ -96,12 +99,12 @@ def _edits(what: str, text: str, count: int, whole: bool, bars: tuple[float | No
 
 
 def _memory() -> Row:
-    """What `MANY` edits to the tree of 2,000 lines leave behind."""
-    author = Author(lines_of(2_000))
+    """What `MANY` edits to the play of 300 lines leave behind."""
+    author = Author(lines_of(300))
     before = 0.0
     for number in range(MANY):
         author.key()
-        author.compile()
+        _ = author.compile().play
         if number == MANY // 10:
             before = _resident()
     grown = _resident() - before
@@ -113,3 +116,20 @@ def _resident() -> float:
     gc.collect()
     pages = int(Path("/proc/self/statm").read_text().split()[1])
     return pages * resource.getpagesize() / 2**20
+
+
+def _resolves(what: str, text: str, count: int, bars: tuple[float | None, float]) -> Row:
+    """Resolving alone: from a tree of which one piece is new to the play, or to what is wrong with it."""
+    author = Author(text)
+    _ = author.compile().play
+    took = []
+    for _ in range(count):
+        author.key()
+        compiled = author.compile()
+        start = time.process_time()
+        _ = compiled.play
+        took.append((time.process_time() - start) * 1000)
+    half, most = statistics.median(took), sorted(took)[int(len(took) * 0.99)]
+    met = most <= bars[1] and (bars[0] is None or half <= bars[0])
+    bar = f"p99 {bars[1]} ms" if bars[0] is None else f"p50 {bars[0]} ms, p99 {bars[1]} ms"
+    return Row(what, bar, f"p50 {half:.1f} ms, p99 {most:.1f} ms", met)

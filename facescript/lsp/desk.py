@@ -36,6 +36,13 @@ class OpenWorld(World):
     def exists(self, name: str) -> bool:
         return World.exists(self, name) or name in self.opened()
 
+    def stamp(self, name: str) -> object:
+        try:
+            text = self.texts.get(self.path(name)) if self.texts else None
+        except WorldFailure:
+            text = None
+        return World.stamp(self, name) if text is None else text
+
     def opened(self) -> list[str]:
         """The names of the open files that belong to the project."""
         root = self.root.resolve()

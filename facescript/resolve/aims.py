@@ -156,7 +156,7 @@ def read_crowd(project: Project, reader: Reader) -> str:
 
 def require_people(project: Project, span: Span) -> None:
     """Refuses `people` where no scripted event brings any: only a camera could."""
-    if not project.persons_arrive:
+    if "arrives" not in project.scripted:
         raise project.refuse("FS806", span)
 
 

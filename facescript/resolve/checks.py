@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from contextlib import suppress
+from functools import partial
 
 from facescript.resolve.actions import Statements
 from facescript.resolve.arguments import unbound
@@ -27,13 +27,19 @@ PLAIN = (tree.Colour, tree.String)
 def check_definitions(project: Project, statements: Statements, cast: tuple[str, ...]) -> None:
     """Reads every definition of the author's that nothing has read, so that its faults are told too."""
     for definition in list(project.names.written.values()):
-        used = definition.used
-        with suppress(Refused):
-            _check(project, definition, statements, cast)
-        definition.used = used
+        used = definition.name in project.names.used
+        work = partial(_check, project, definition, statements, cast, used)
+        project.memo.part(project, "check", definition.node, (cast, used), work)
+        if not used:
+            project.names.used.discard(definition.name)
 
 
-def _check(project: Project, definition: Definition, statements: Statements, cast: tuple[str, ...]) -> None:
+def _check(project: Project, definition: Definition, statements: Statements, cast: tuple[str, ...], used: bool) -> None:
+    with suppress(Refused):
+        _read(project, definition, statements, cast, used)
+
+
+def _read(project: Project, definition: Definition, statements: Statements, cast: tuple[str, ...], used: bool) -> None:
     node = definition.node
     if isinstance(node, tree.LetDefinition):
         with project.entering(definition, definition.span):
@@ -43,7 +49,7 @@ def _check(project: Project, definition: Definition, statements: Statements, cas
             if parameter.default is not None:
                 _value(project, parameter.default)
         check_expression(project, definition, unbound(node.parameters))
-    elif isinstance(node, tree.ActionDefinition) and not definition.used:
+    elif isinstance(node, tree.ActionDefinition) and not used:
         _action(project, definition, node, statements, cast)
     elif isinstance(node, tree.Declaration) and node.kind == "life":
         preset(project, definition.name, definition.span)
@@ -119,12 +125,11 @@ def check_unused(project: Project, script: tree.Script) -> None:
     if project.spoilt_lines:
         return
     failed = project.diagnostics.failed
-    words = Counter(re.findall(r"[\w-]+", script.source.text))
     for definition in project.names.written.values():
-        if not definition.own or definition.used or definition.name in project.spoilt:
+        if not definition.own or definition.name in project.names.used or definition.name in project.spoilt:
             continue
         if definition.kind == "face" and len(project.faces) == 1:
             continue
-        if failed and words[definition.name] > 1:
+        if failed and len(re.findall(rf"(?<![\w-]){re.escape(definition.name)}(?![\w-])", script.source.text)) > 1:
             continue
         project.report("FS211", definition.span, kind=definition.kind, name=definition.name)

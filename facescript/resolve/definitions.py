@@ -70,7 +70,7 @@ def _refuse(project: Project, kind: str, name: tree.Name) -> None:
         project.refuse_word(name.span)
         return
     project.report("FS209", name.span, name=name.text)
-    project.spoilt |= {name.text}
+    project.spoilt[name.text] = True
 
 
 def _parameters(project: Project, parameters: tuple[tree.Parameter, ...]) -> None:

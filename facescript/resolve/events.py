@@ -16,7 +16,6 @@ from facescript.resolve.sums import quantity
 from facescript.resolve.units import TIME, article
 from facescript.resolve.words import ENDINGS
 from facescript.syntax import tree
-from facescript.text import Span
 
 TEXTUAL = ("heard", "touched", "key", "signal")
 PERSONAL = ("arrives", "leaves", "nearest")
@@ -126,4 +125,4 @@ def check_reached(project: Project, reactions: list[tuple[tree.When, Reaction]],
         scripted.add("nearest")
     for node, found in reactions:
         if found.event.kind not in scripted:
-            project.report("FS808", Span(node.span.source, node.span.start, node.event.span.end))
+            project.report("FS808", node.span.to(node.event.span))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from functools import partial
 from typing import Literal
 
 from facescript.ir.acts import Life, Voice
@@ -34,10 +35,16 @@ ONLY = "somebody"
 GAZES: tuple[Literal["eye-mover", "head-mover"], ...] = ("eye-mover", "head-mover")
 
 
-def default_face(project: Project, span: Span) -> Face:
-    """The woman of a script that declares no face, known by the name `ONLY` where nothing else is."""
+def define_default(project: Project, span: Span) -> Definition:
+    """Makes the face of a script that declares none known by the name `ONLY`, where nothing else is."""
     node = Declaration("face", Name(ONLY, span), (), (), span)
-    project.names.written.setdefault(ONLY, Definition("face", ONLY, node, span, own=False))
+    definition = Definition("face", ONLY, node, span, own=False)
+    project.names.written.setdefault(ONLY, definition)
+    return definition
+
+
+def default_face(project: Project, span: Span) -> Face:
+    """The woman of a script that declares no face."""
     try:
         life = preset(project, CALM, span)
     except Refused:
@@ -77,7 +84,7 @@ def _kind(project: Project, node: Declaration) -> tuple[str, Kind | None]:
     text = word.text if isinstance(word, Name) else ""
     defined = project.names.written.get(text)
     if defined is not None and defined.kind == "kind" and isinstance(defined.node, Declaration):
-        defined.used = True
+        project.names.used.add(text)
         return text, drawn(project, defined.node)
     known = (*kind_names(), UNSEEN)
     if text in known:
@@ -93,12 +100,13 @@ def _kind(project: Project, node: Declaration) -> tuple[str, Kind | None]:
 
 def drawn(project: Project, node: Declaration) -> Kind | None:
     """A kind of the script's own, read once; None where it cannot be drawn, which is reported."""
-    name = node.name.text
-    if name not in project.kinds:
-        project.kinds[name] = None
-        with suppress(Refused):
-            project.kinds[name] = kind_of(project, node)
-    return project.kinds[name]
+    return project.memo.once(project, ("kind", node.name.text), node, partial(_drawn, project, node))
+
+
+def _drawn(project: Project, node: Declaration) -> Kind | None:
+    with suppress(Refused):
+        return kind_of(project, node)
+    return None
 
 
 def _head(kind: str, drawn: Kind | None) -> KindHead:

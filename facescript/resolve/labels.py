@@ -16,6 +16,16 @@ def gather(project: Project, body: tuple[tree.Statement, ...], prefix: str, pare
     labels = Labels(prefix, parent=parent)
     for name in named(body):
         _declare(project, labels, name)
+    project.notes.labelled |= bool(labels.names)
+    return labels
+
+
+def gather_all(project: Project, body: tuple[tree.Statement, ...]) -> Labels:
+    """The labels of a script without scenes."""
+    labels = Labels("", project.memo.table(project, "labels"))
+    for name in project.memo.follow(body, _named_in):
+        _declare(project, labels, name)
+    project.memo.settle(labels.names)
     return labels
 
 
@@ -54,6 +64,10 @@ def named(body: tuple[tree.Statement, ...]) -> Iterator[tree.Name]:
                 yield from named(on.body)
         elif not isinstance(statement, tree.Repeat):
             yield from named(statement.body)
+
+
+def _named_in(statement: tree.Statement) -> tuple[tree.Name, ...]:
+    return tuple(named((statement,)))
 
 
 def label(phrases: tuple[tree.Phrase, ...]) -> Iterator[tree.Name]:

@@ -69,7 +69,7 @@ def check_word(project: Project, line: Say, word: str, nth: int, span: Span) -> 
 def _in_file(project: Project, line: Say, word: str, nth: int) -> bool:
     from facescript.speech.timing.line import has_mark  # a dozen modules: only lines with files of times pay it
 
-    return has_mark(line, project.world, word, nth)
+    return has_mark(line, project.world_of(line.times or ""), word, nth)
 
 
 def shortened(text: str) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from facescript.ir.values import Amount, Draw, Driver, Mix, Term
 from facescript.performance.channels import SIDES
 from facescript.resolve.arguments import bind
@@ -191,17 +193,12 @@ def _sided(word: Name | Dotted) -> tuple[str, str]:
 
 def expression_drivers(project: Project, definition: Definition, side: str, span: Span) -> tuple[Driver, ...]:
     """What an expression drives at 100 %, of one side where one is named. Raises `Refused`."""
-    known = project.drivers.get((definition.name, side))
-    if known is not None:
-        return known
+    key, work = ("drivers", definition.name), partial(_whole, project, definition, span)
+    drivers = project.memo.once(project, key, definition.node, work)
     if side:
-        whole = expression_drivers(project, definition, "", span)
-        drivers = tuple(driver for driver in whole if side_of(driver.name) == side)
+        drivers = tuple(driver for driver in drivers if side_of(driver.name) == side)
         if not drivers:
             raise project.refuse("FS220", span, name=definition.name, side=side)
-    else:
-        drivers = _whole(project, definition, span)
-    project.drivers[definition.name, side] = drivers
     return drivers
 
 

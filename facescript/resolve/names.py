@@ -22,30 +22,32 @@ class Definition:
     span: Span
     library: bool = False
     own: bool = True
-    used: bool = False
 
 
 @dataclass(slots=True)
 class Names:
-    """Definitions by name; the library's stand behind the author's."""
+    """Definitions by name, the library's stand behind the author's; and the names that something uses."""
 
     written: dict[str, Definition] = field(default_factory=dict)
     library: dict[str, Definition] = field(default_factory=dict)
+    used: set[str] = field(default_factory=set)
 
     def find(self, name: str) -> Definition | None:
         """The definition of a name, noted as used."""
         found = self.written.get(name) or self.library.get(name)
         if found is not None:
-            found.used = True
+            self.used.add(name)
         return found
 
     def all(self, *kinds: str) -> Iterator[Definition]:
         """Definitions of these kinds, the author's first; covered ones of the library are left out."""
-        for definition in self.written.values():
+        written = self.written.items()
+        for _, definition in written:
             if definition.kind in kinds:
                 yield definition
+        covered = dict(written)
         for definition in self.library.values():
-            if definition.kind in kinds and definition.name not in self.written:
+            if definition.kind in kinds and definition.name not in covered:
                 yield definition
 
     def known(self, *kinds: str) -> list[str]:

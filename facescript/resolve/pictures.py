@@ -19,9 +19,10 @@ def picture_path(project: Project, path: str, span: Span, largest: int = LARGEST
         reason = "it is an address, and nothing is fetched; keep the picture in the project's folder and name that file"
         raise project.refuse("FS701", span, path=path, reason=reason)
     found = project_path(span, path)
+    world = project.world_of(found)
     try:
         if (found, largest) not in project.pictures:
-            project.pictures[found, largest] = _fault(project.world.read(found, largest))
+            project.pictures[found, largest] = _fault(world.read(found, largest))
     except WorldFailure as failure:
         raise project.refuse("FS701", span, path=path, reason=failure.args[0]) from None
     if fault := project.pictures[found, largest]:

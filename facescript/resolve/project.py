@@ -11,10 +11,11 @@ from typing import Any
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostics, Fix, Related, Severity
 from facescript.ir.acts import Say
-from facescript.ir.kind import Kind
 from facescript.ir.play import Face, Film, Target, Viseme
-from facescript.ir.values import Driver, Mark
+from facescript.ir.values import Mark
+from facescript.resolve.memo import Memo
 from facescript.resolve.names import Definition, Names
+from facescript.resolve.notes import Notes, Question, Told
 from facescript.resolve.spoilt import line_of
 from facescript.resolve.suggest import meant
 from facescript.syntax.tree import VisemeDefinition
@@ -58,29 +59,30 @@ class Project:
     world: World
     diagnostics: Diagnostics
     names: Names
+    memo: Memo = field(default_factory=Memo)
+    notes: Notes = field(default_factory=Notes)
     film: Film = field(default_factory=Film)
     faces: dict[str, Face] = field(default_factory=dict)
-    kinds: dict[str, Kind | None] = field(default_factory=dict)
     targets: dict[str, Target | None] = field(default_factory=dict)
     sounds: list[VisemeDefinition] = field(default_factory=list)
     visemes: dict[str, Viseme] = field(default_factory=dict)
     visemes_at: dict[str, Span] = field(default_factory=dict)
-    persons_arrive: bool = False
-    spoilt: frozenset[str] = frozenset()
+    scripted: dict[str, bool] = field(default_factory=dict)
+    spoilt: dict[str, bool] = field(default_factory=dict)
     spoilt_lines: frozenset[tuple[str, int]] = frozenset()
-    drivers: dict[tuple[str, str], tuple[Driver, ...]] = field(default_factory=dict)
+    done: dict[tuple[object, ...], Any] = field(default_factory=dict)
     lines: dict[str, Say | None] = field(default_factory=dict)
     marks: list[tuple[Mark, Span]] = field(default_factory=list)
     refused: set[str] = field(default_factory=set)
-    tables: dict[str, tuple[Any, ...]] = field(default_factory=dict)
     tracks: dict[str, Any] = field(default_factory=dict)
     pictures: dict[tuple[str, int], str] = field(default_factory=dict)
     most: int = MOST_NODES
     weight: int = 0
     stood_for: int = 0
     depth: int = 0
+    deepest: int = 0
     open: list[Definition] = field(default_factory=list)
-    circled: set[Definition] = field(default_factory=set)
+    circled: set[str] = field(default_factory=set)
     cells: list[Cell] = field(default_factory=list)
 
     def report(
@@ -96,10 +98,6 @@ class Project:
 
         Nothing more is said of a line that could not be read as it stands.
         """
-        if span is not None and self.is_spoilt(span):
-            return
-        if span is not None and self.refused and code != "FS209" and self._refused_in(span):
-            return
         diagnostic = diagnose(code, span, fixes=fixes, related=related, **values)
         if self.cells:
             cell = self.cells[0]
@@ -109,23 +107,50 @@ class Project:
             diagnostic = diagnose(
                 "FS323", cell.span, text=cell.text, row=cell.row, column=cell.column, file=cell.file, reason=reason
             )
-        self.diagnostics.add(diagnostic)
+        self.note(Told(span, diagnostic, code != "FS209"))
+
+    def note(self, told: Told) -> None:
+        """Tells something, and notes that it was told."""
+        self.notes.told.append(told)
+        self.tell(told)
+
+    def tell(self, told: Told) -> None:
+        """Adds what is told to the diagnostics, unless its line is in no state to be blamed for it."""
+        if told.word:
+            self.refused.add(told.word)
+        span = told.span
+        silent = span is not None and (_is_spoilt(self, span) or (told.shy and self._refused_in(span)))
+        if told.diagnostic is not None and not silent:
+            self.diagnostics.add(told.diagnostic)
+
+    def asked(self, question: Question, span: Span) -> bool:
+        """The answer of a question about the state of the work."""
+        answer = question(self, span)
+        self.notes.seen.append((question, span, answer))
+        return answer
 
     def is_spoilt(self, span: Span) -> bool:
         """Whether any of it stands in a line that could not be read, or in the block of such a line."""
-        if not self.spoilt_lines:
-            return False
-        name, first = line_of(span)
-        last = span.source.position(span.end)[0]
-        return any((name, line) in self.spoilt_lines for line in range(first, last + 1))
+        return self.asked(_is_spoilt, span)
+
+    def world_of(self, name: str) -> World:
+        """The world, to be asked for a file of that name."""
+        self.memo.file(self, name)
+        return self.world
+
+    def is_told(self, span: Span) -> bool:
+        """Whether something was told of just this place."""
+        return self.asked(_is_told, span)
 
     def refuse_word(self, span: Span) -> Refused:
         """Refuses a word of the language as a name. Nothing is said of the lines that use it: they cannot be read."""
         self.report("FS209", span, name=span.text)
-        self.refused.add(span.text)
+        self.note(Told(None, None, word=span.text))
         return Refused()
 
     def _refused_in(self, span: Span) -> bool:
+        if not self.refused:
+            return False
         line = span.source.line(line_of(span)[1])
         return any(re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", line) for word in self.refused)
 
@@ -151,16 +176,18 @@ class Project:
 
     def meant(self, name: str, known: Iterable[str], span: Span) -> tuple[str, tuple[Fix, ...]]:
         """What an author may have meant by a name, as a clause and a fix; not sought any more after many faults."""
+        self.notes.guessed = True
         return meant(name, known if len(self.diagnostics.items) < MANY else (), span)
 
     @contextmanager
     def entering(self, definition: Definition, span: Span) -> Iterator[None]:
         """Works out a definition; one that is reached from itself is refused with the whole circle."""
-        if definition in self.circled or (definition in self.open and self.is_spoilt(span)):
+        self.notes.entered.add(definition.name)
+        if definition.name in self.circled or (definition in self.open and self.is_spoilt(span)):
             raise Refused
         if definition in self.open:
             circle = self.open[self.open.index(definition) :]
-            self.circled.update(circle)
+            self.circled.update(item.name for item in circle)
             chain = " -> ".join(item.name for item in (*circle, definition))
             raise self.refuse("FS215", definition.span, kind=definition.kind, name=definition.name, chain=chain)
         self.open.append(definition)
@@ -188,6 +215,8 @@ class Project:
         self.depth += 1
         if self.depth > DEEPEST:
             raise TooMuch(span, DEEPEST, "levels, one in another")
+        if self.depth > self.deepest:
+            self.deepest = self.depth
         try:
             yield
         finally:
@@ -208,3 +237,15 @@ class Project:
 
 class TooMuch(Exception):
     """A script unfolds into too much; `args` are the span of what went too far, the bound, and what is counted."""
+
+
+def _is_spoilt(project: Project, span: Span) -> bool:
+    if not project.spoilt_lines:
+        return False
+    name, first = line_of(span)
+    last = span.source.position(span.end)[0]
+    return any((name, line) in project.spoilt_lines for line in range(first, last + 1))
+
+
+def _is_told(project: Project, span: Span) -> bool:
+    return any(item.span == span for item in project.diagnostics)

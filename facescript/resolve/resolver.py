@@ -5,19 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 
 from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.acts import Life
-from facescript.ir.play import Event, Play, Reaction
+from facescript.ir.play import Event, Play, Reaction, Target
 from facescript.resolve import events
 from facescript.resolve.blocks import statements
 from facescript.resolve.checks import check_definitions, check_unused
 from facescript.resolve.definitions import collect, library_names
-from facescript.resolve.faces import default_face, drawn, face
+from facescript.resolve.faces import default_face, define_default, drawn, face
 from facescript.resolve.film import film
 from facescript.resolve.lives import preset
 from facescript.resolve.marks import check_marks
+from facescript.resolve.memo import Memo
+from facescript.resolve.names import Definition
 from facescript.resolve.project import EACH, Project, Refused, TooMuch
 from facescript.resolve.scenes import main_scene, opening, scenes
 from facescript.resolve.spoilt import spoilt
@@ -33,19 +36,26 @@ NOTHING: Mapping[str, str] = {}
 
 
 def resolve(
-    script: tree.Script, world: World, diagnostics: Diagnostics, overrides: Mapping[str, str] = NOTHING
+    script: tree.Script,
+    world: World,
+    diagnostics: Diagnostics,
+    overrides: Mapping[str, str] = NOTHING,
+    memo: Memo | None = None,
 ) -> Play | None:
     """The play of a script, or None where something in it is an error (then `diagnostics` says what).
 
-    `overrides` are values of `let`s by name, as text of the language (`--set NAME=VALUE`).
+    `overrides` are values of `let`s by name, as text of the language (`--set NAME=VALUE`); `memo` knows what the states
+    of a script came to that is edited.
     """
-    project = Project(world, diagnostics, library_names(library(world)))
+    project = Project(world, diagnostics, library_names(library(world)), memo or Memo())
+    project.memo.begin(project, script)
     project.most += EACH * script.source.text.count("\n")
     try:
         play = _resolved(project, script, overrides)
     except TooMuch as fault:
         span, most, what = fault.args
         diagnostics.add(diagnose("FS322", span, most=most, what=what))
+        project.memo.forget()
         return None
     return None if diagnostics.failed else play
 
@@ -54,13 +64,16 @@ def _resolved(project: Project, script: tree.Script, overrides: Mapping[str, str
     define(project, script, overrides)
     settings = [item for item in script.items if isinstance(item, tree.Setting)]
     project.film = film(project, [item for item in settings if item.kind == "film"])
-    _people(project, script)
+    nobody = _default(project, script)
+    project.memo.settle(project.names.written, project.spoilt)
+    _people(project, nobody)
     for item in project.sounds:
         with suppress(Refused):
             viseme(project, item)
     scripted = _events(project, [item for item in settings if item.kind == "event"])
-    project.persons_arrive = any(event.kind == "arrives" for event in scripted)
+    project.scripted.update((event.kind, True) for event in scripted)
     before = opening(project, script) if _has_scenes(script) else None
+    project.memo.settle(project.scripted, project.faces, project.targets)
     played = scenes(project, script, before) if before is not None else [main_scene(project, script)]
     reactions = _reactions(project, script, scripted)
     check_marks(project)
@@ -92,7 +105,7 @@ def define(project: Project, script: tree.Script, overrides: Mapping[str, str] =
     """Gives the project the names that a script and what it uses define; `overrides` as for `resolve`."""
     others = used(project, script)
     project.spoilt_lines, names = spoilt(project.diagnostics)
-    project.spoilt = names.union(script.lost, *(other.lost for other in others))
+    project.spoilt.update(dict.fromkeys(names.union(script.lost, *(other.lost for other in others)), True))
     for other in others:
         collect(project, other, own=False)
     collect(project, script, own=True)
@@ -121,24 +134,34 @@ def _override(project: Project, name: str, text: str) -> None:
     definition.node = replace(definition.node, value=phrases[0])
 
 
-def _people(project: Project, script: tree.Script) -> None:
+def _default(project: Project, script: tree.Script) -> Definition | None:
+    """The definition of the face of a script that declares none."""
+    if any(True for _ in project.names.all("face")):
+        return None
+    return define_default(project, Span(script.source, 0, 0))
+
+
+def _people(project: Project, nobody: Definition | None) -> None:
     """Faces, and targets, whose definitions may be anywhere in the files."""
     for definition in list(project.names.written.values()):
-        node = definition.node
-        if not isinstance(node, tree.Declaration):
+        node, name = definition.node, definition.name
+        if definition is nobody or not isinstance(node, tree.Declaration):
             continue
         if definition.kind == "kind":
             drawn(project, node)
         elif definition.kind == "face":
-            project.faces[definition.name] = face(project, node)
+            project.faces[name] = project.memo.part(project, "face", node, None, partial(face, project, node))
         elif definition.kind == "target":
-            try:
-                project.targets[definition.name] = target(project, node)
-            except Refused:
-                project.targets[definition.name] = None
-    if not project.faces and not any(item for item in project.names.all("face")):
-        only = default_face(project, Span(script.source, 0, 0))
+            project.targets[name] = project.memo.part(project, "target", node, None, partial(_target, project, node))
+    if nobody is not None:
+        only = default_face(project, nobody.span)
         project.faces[only.name] = only
+
+
+def _target(project: Project, node: tree.Declaration) -> Target | None:
+    with suppress(Refused):
+        return target(project, node)
+    return None
 
 
 def _lives(project: Project) -> tuple[tuple[str, Life], ...]:
@@ -163,8 +186,18 @@ def _events(project: Project, settings: list[tree.Setting]) -> list[Event]:
 
 def _reactions(project: Project, script: tree.Script, scripted: list[Event]) -> list[Reaction]:
     found: list[tuple[tree.When, Reaction]] = []
+    cast = tuple(project.faces)
     for node in (item for item in script.items if isinstance(item, tree.When)):
-        with suppress(Refused):
-            found.append((node, events.reaction(project, node, tuple(project.faces), len(found) + 1)))
+        number = len(found) + 1
+        work = partial(_reaction, project, node, cast, number)
+        reaction = project.memo.part(project, "reaction", node, (cast, number), work)
+        if reaction is not None:
+            found.append((node, reaction))
     events.check_reached(project, found, scripted)
     return [reaction for _, reaction in found]
+
+
+def _reaction(project: Project, node: tree.When, cast: tuple[str, ...], number: int) -> Reaction | None:
+    with suppress(Refused):
+        return events.reaction(project, node, cast, number)
+    return None

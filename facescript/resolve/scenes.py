@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
 
-from facescript.ir.acts import Sequence, SetBackground, SetLife, View
+from facescript.ir.acts import Node, Sequence, SetBackground, SetLife, View
 from facescript.ir.play import MAIN, Scene
 from facescript.resolve.blocks import statements
-from facescript.resolve.labels import gather
+from facescript.resolve.labels import gather, gather_all
 from facescript.resolve.place import Place, face_named
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.scope import GLOBAL, Scope
@@ -32,7 +34,14 @@ def main_scene(project: Project, script: tree.Script) -> Scene:
     body = tuple(item for item in script.items if isinstance(item, STATEMENTS))
     whole = body[0].span.to(body[-1].span) if body else Span(script.source, 0, len(script.source.text))
     cast = tuple(project.faces)
-    return Scene(MAIN, cast, _body(project, body, "", cast, whole), whole)
+    labels = gather_all(project, body)
+    place = Place(Scope({}, labels), cast[0] if len(cast) == 1 else None, cast)
+    rows = project.memo.parts(project, "statement", body, cast, partial(_statement, project, place), labels.counts)
+    return Scene(MAIN, cast, Sequence(tuple(chain.from_iterable(rows)), whole, clock=True), whole)
+
+
+def _statement(project: Project, place: Place, statement: tree.Statement) -> tuple[Node, ...]:
+    return statements(project, (statement,), place)
 
 
 def scenes(project: Project, script: tree.Script, opening: Opening) -> list[Scene]:
@@ -45,11 +54,18 @@ def scenes(project: Project, script: tree.Script, opening: Opening) -> list[Scen
         if name in found:
             project.report("FS239", item.name.span, name=name)
             continue
-        cast = _cast(project, item)
-        body = _body(project, item.body, f"{name}.", cast, item.span)
-        title = bare_text(item.title) if item.title is not None else ""
-        found[name] = Scene(name, cast, body, item.span, opening.background, opening.view, title)
+        given = opening.background, opening.view
+        found[name] = project.memo.part(project, "scene", item, given, partial(_scene, project, item, opening))
     return list(found.values())
+
+
+def _scene(project: Project, item: tree.Scene, opening: Opening) -> Scene:
+    cast = _cast(project, item)
+    scope = Scope({}, gather(project, item.body, f"{item.name.text}."))
+    place = Place(scope, cast[0] if len(cast) == 1 else None, cast)
+    body = Sequence(statements(project, item.body, place), item.span, clock=True)
+    title = bare_text(item.title) if item.title is not None else ""
+    return Scene(item.name.text, cast, body, item.span, opening.background, opening.view, title)
 
 
 def _cast(project: Project, item: tree.Scene) -> tuple[str, ...]:
@@ -63,14 +79,6 @@ def _cast(project: Project, item: tree.Scene) -> tuple[str, ...]:
         except Refused:
             continue
     return tuple(face for face in project.faces if face in named) or tuple(project.faces)
-
-
-def _body(
-    project: Project, body: tuple[tree.Statement, ...], prefix: str, cast: tuple[str, ...], span: Span
-) -> Sequence:
-    scope = Scope({}, gather(project, body, prefix))
-    place = Place(scope, cast[0] if len(cast) == 1 else None, cast)
-    return Sequence(statements(project, body, place), span, clock=True)
 
 
 # ------------------------------------------------------------------------------------------------ before the scenes
@@ -119,7 +127,7 @@ DEFINERS = (
 
 def _first_line(span: Span) -> Span:
     end = span.source.text.find("\n", span.start, span.end)
-    return Span(span.source, span.start, span.end if end < 0 else end)
+    return span if end < 0 else span.part(span.start, end)
 
 
 def _set(project: Project, found: Opening, item: tree.Statement, place: Place) -> None:

@@ -115,7 +115,7 @@ def _let(project: Project, word: Name | Dotted, first: str, scope: Scope) -> Exp
     definition = project.names.written.get(first)
     if definition is None or not isinstance(definition.node, LetDefinition):
         return None
-    definition.used = True
+    project.names.used.add(first)
     return _dotted(word, definition.node.value.words, GLOBAL, definition)
 
 

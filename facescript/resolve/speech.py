@@ -13,7 +13,7 @@ from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
 from facescript.resolve.scope import GLOBAL, Scope, expand, inside
 from facescript.resolve.sums import left_over
-from facescript.resolve.texts import Inline, Piece, pieces_of, read_text
+from facescript.resolve.texts import Inline, pieces_of, read_text
 from facescript.resolve.units import SHARE
 from facescript.speech.voices.registry import ENGINES
 from facescript.syntax.tree import Dotted, Name, String, Word
@@ -57,7 +57,7 @@ def _ssml(
     """A line whose text is a file of SSML. Raises `Refused`."""
     from facescript.resolve.ssml import read_ssml  # a parser of XML: only lines with SSML pay it
 
-    source = _file(project, reader, "ssml")[0]
+    source = _file(project, reader, "ssml").source
     _nothing_more(project, more)
     line.finish(reader)
     voice = spoken_with(_voice_of(project, place), line)
@@ -104,7 +104,7 @@ def _path(project: Project, word: String) -> str:
     """The path in the project of a file that is there. Raises `Refused`."""
     path = project_path(word.span, word.value)
     try:
-        found = project.world.path(path).is_file()
+        found = project.world_of(path).path(path).is_file()
     except WorldFailure as failure:
         raise project.refuse("FS701", word.span, path=word.value, reason=failure.args[0]) from None
     if not found:
@@ -121,7 +121,7 @@ def _as_it_was(project: Project, line: Line) -> None:
 
 def _pieces(
     project: Project, reader: Reader, more: tuple[String, ...], recorded: bool
-) -> tuple[tuple[Piece, ...], Scope]:
+) -> tuple[tuple[Span, ...], Scope]:
     """The text of a line, and the scope that it was written in: a parameter's is the caller's. Raises `Refused`."""
     found = _elsewhere(project, reader)
     if found is not None:
@@ -136,7 +136,7 @@ def _pieces(
     return pieces_of((*strings, *more)), reader.scope
 
 
-def _elsewhere(project: Project, reader: Reader) -> tuple[tuple[Piece, ...], Scope] | None:
+def _elsewhere(project: Project, reader: Reader) -> tuple[tuple[Span, ...], Scope] | None:
     """A text in a file, in a cell of a table, or behind a name (a parameter, a `let`); None where it stands here."""
     if reader.word("text"):
         return (_file(project, reader, "text"),), reader.scope
@@ -148,7 +148,7 @@ def _elsewhere(project: Project, reader: Reader) -> tuple[tuple[Piece, ...], Sco
     if expansion.cell is not None:
         cell = expansion.cell
         place = f"{cell.file} row {cell.row} {cell.column}"
-        return ((Source(place, cell.text), 0, len(cell.text)),), GLOBAL
+        return (Span(Source(place, cell.text), 0, len(cell.text)),), GLOBAL
     with inside(project, expansion, word.span):
         inner = Reader(expansion.words, expansion.scope, word.span)
         found = _pieces(project, inner, (), False)
@@ -156,16 +156,17 @@ def _elsewhere(project: Project, reader: Reader) -> tuple[tuple[Piece, ...], Sco
     return found
 
 
-def _file(project: Project, reader: Reader, kind: str) -> Piece:
+def _file(project: Project, reader: Reader, kind: str) -> Span:
     word = reader.next()
     if not isinstance(word, String):
         span = word.span if word is not None else reader.span
         raise project.refuse("FS312", span, text=span.text, advice=f'it is written `say {kind} "FILE"`')
+    name = project_path(word.span, word.value)
     try:
-        source = project.world.source(project_path(word.span, word.value))
+        source = project.world_of(name).source(name)
     except WorldFailure as failure:
         raise project.refuse("FS701", word.span, path=word.value, reason=failure.args[0]) from None
-    return source, 0, len(source.text)
+    return Span(source, 0, len(source.text))
 
 
 def spoken_with(voice: Voice, line: Line) -> Voice:

@@ -124,7 +124,7 @@ def primary(project: Project, reader: Reader) -> Value:
 def _quantity(project: Project, word: Quantity) -> Value:
     unit = UNITS.get(word.unit)
     if not word.unit:
-        if any(item.span == word.span for item in project.diagnostics):
+        if project.is_told(word.span):
             raise Refused
         return Value(word.value, COUNT, word.span)
     if unit is None:

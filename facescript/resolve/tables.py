@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterator
+from functools import partial
 from itertools import islice
 
 from facescript.resolve.files import project_path
@@ -20,14 +21,11 @@ LARGEST = 16 * 1024 * 1024
 
 def rows(project: Project, path: String) -> tuple[Row, ...]:
     """The rows of a table under its header line, empty lines left out. Raises `Refused`."""
-    name = path.value
-    if name not in project.tables:
-        project.tables[name] = _rows(project, path, _lines(project, path))
-    return project.tables[name]
+    return project.memo.once(project, ("table", path.value), path, partial(_rows, project, path))
 
 
-def _rows(project: Project, path: String, lines: list[list[str]]) -> tuple[Row, ...]:
-    name = path.value
+def _rows(project: Project, path: String) -> tuple[Row, ...]:
+    name, lines = path.value, _lines(project, path)
     if not lines:
         raise project.refuse("FS703", path.span, path=name, reason="it is empty")
     header = [column.strip() for column in lines[0]]
@@ -52,7 +50,8 @@ def cells(project: Project, path: String, largest: int) -> Iterator[list[str]]:
     Raises `Refused` where the file cannot be read, and at the row that cannot.
     """
     try:
-        data = project.world.read(project_path(path.span, path.value), largest)
+        name = project_path(path.span, path.value)
+        data = project.world_of(name).read(name, largest)
         lines = io.TextIOWrapper(io.BytesIO(data), "utf-8-sig", newline="")
         yield from (row for row in csv.reader(lines, strict=True) if any(row))
     except WorldFailure as failure:

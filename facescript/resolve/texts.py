@@ -6,15 +6,17 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from facescript.diagnostics.model import Diagnostics
 from facescript.ir.acts import Stretch
 from facescript.ir.wording import unspaced
+from facescript.resolve.notes import Told
 from facescript.resolve.project import Project, Refused
 from facescript.resolve.scope import Scope
 from facescript.resolve.sums import number
 from facescript.resolve.units import TIME
 from facescript.syntax.parser import parse_phrases
 from facescript.syntax.tree import Phrase, String
-from facescript.text import Source, Span
+from facescript.text import Span
 
 LONGEST = 20_000
 """Characters of one line's text."""
@@ -52,22 +54,20 @@ class Text:
     inlines: tuple[Inline, ...]
 
 
-Piece = tuple[Source, int, int]
-"""A stretch of a source that is text: between the quotes of a string, or a whole file."""
-
-
 def bare_text(string: String) -> str:
     """A text that is not spoken, a title or a caption: signs behind `\\` are themselves, white space is one space."""
     return " ".join(_ESCAPED.sub(r"\1", string.value).split())
 
 
-def pieces_of(strings: tuple[String, ...]) -> tuple[Piece, ...]:
-    return tuple((string.span.source, string.span.start + 1, string.span.end - 1) for string in strings)
+def pieces_of(strings: tuple[String, ...]) -> tuple[Span, ...]:
+    """What stands between the quotes of each string."""
+    return tuple(string.span.part(string.span.start + 1, string.span.end - 1) for string in strings)
 
 
-def read_text(project: Project, pieces: tuple[Piece, ...], scope: Scope, span: Span) -> Text:
-    """The text of a line. All its faults are reported, each at its place; then raises `Refused`."""
-    size = sum(end - start for _, start, end in pieces)
+def read_text(project: Project, pieces: tuple[Span, ...], scope: Scope, span: Span) -> Text:
+    """The text of a line, which stands in several pieces. All its faults are reported, each at its place; then raises
+    `Refused`."""
+    size = sum(piece.end - piece.start for piece in pieces)
     if size > LONGEST:
         raise project.refuse("FS319", span, count=size, most=LONGEST)
     reader = _TextReader(project, scope)
@@ -113,9 +113,8 @@ class _TextReader(Plain):
         self.stress: tuple[int, Span] | None = None
         self.failed = False
 
-    def read(self, piece: Piece) -> None:
-        source, at, end = piece
-        text = source.text
+    def read(self, piece: Span) -> None:
+        text, at, end = piece.source.text, piece.start, piece.end
         self.gap = self.gap or "end"
         while at < end:
             special = _SPECIAL.search(text, at, end)
@@ -125,14 +124,14 @@ class _TextReader(Plain):
             if special is None:
                 return
             try:
-                at = self.special(source, special, end)
+                at = self.special(piece, special)
             except Refused:
                 self.failed = True
                 at = special.end()
                 if special[0] == "[":
                     at = max(at, _closing(text, at, end) + 1)
 
-    def special(self, source: Source, found: re.Match[str], end: int) -> int:
+    def special(self, piece: Span, found: re.Match[str]) -> int:
         """Reads one mark; the offset behind it."""
         sign, at = found[0], found.start()
         if sign[0].isspace():
@@ -140,11 +139,11 @@ class _TextReader(Plain):
         elif sign == "|":
             self.stretches.append(Stretch("breath", self.length, self.length))
         elif sign == "*":
-            self.star(Span(source, at, at + 1))
+            self.star(piece.part(at, at + 1))
         elif sign == "\\":
-            return self.escape(source, at, end)
+            return self.escape(piece, at)
         else:
-            return self.bracket(source, at, end)
+            return self.bracket(piece, at)
         return found.end()
 
     def star(self, span: Span) -> None:
@@ -154,20 +153,20 @@ class _TextReader(Plain):
             self.stretches.append(Stretch("stress", self.stress[0], self.length))
             self.stress = None
 
-    def escape(self, source: Source, at: int, end: int) -> int:
-        sign = source.text[at + 1 : at + 2] if at + 1 < end else ""
+    def escape(self, piece: Span, at: int) -> int:
+        sign = piece.source.text[at + 1 : min(at + 2, piece.end)]
         if not sign or sign not in ESCAPES:
-            span = Span(source, at, min(at + 2, end))
+            span = piece.part(at, min(at + 2, piece.end))
             raise self.project.refuse("FS318", span, text=span.text)
         self.put(sign)
         return at + 2
 
-    def bracket(self, source: Source, at: int, end: int) -> int:
-        close = _closing(source.text, at + 1, end)
+    def bracket(self, piece: Span, at: int) -> int:
+        close = _closing(piece.source.text, at + 1, piece.end)
         if close < 0:
-            raise self.project.refuse("FS315", Span(source, at, at + 1), what="`[` has no `]`")
-        span = Span(source, at, close + 1)
-        content = source.text[at + 1 : close].strip()
+            raise self.project.refuse("FS315", piece.part(at, at + 1), what="`[` has no `]`")
+        span, inner = piece.part(at, close + 1), piece.part(at + 1, close)
+        content = inner.text.strip()
         if content == "/":
             self.close(span)
         elif content.startswith("read ") or content == "read":
@@ -175,9 +174,9 @@ class _TextReader(Plain):
         elif content.startswith("mark ") and (name := content[5:].strip()):
             self.stretches.append(Stretch("mark", self.length, self.length, name))
         elif content.startswith("wait ") and not content.startswith("wait until "):
-            self.pause(source, at, close, span)
+            self.pause(inner, span)
         else:
-            inline = Inline(self.words(source, at + 1, close), span, self.scope, self.length)
+            inline = Inline(self.words(inner), span, self.scope, self.length)
             self.inlines.append(inline)
             self.opened.append(inline)
         return close + 1
@@ -196,16 +195,19 @@ class _TextReader(Plain):
             raise self.project.refuse("FS312", span, text=span.text, advice="it is written `[read zhang3]长[/]`")
         self.opened.append(_Reading(value, span, self.length))
 
-    def pause(self, source: Source, at: int, close: int, span: Span) -> None:
-        phrases = self.words(source, at + 1, close)
+    def pause(self, inner: Span, span: Span) -> None:
+        phrases = self.words(inner)
         if len(phrases) > 1:
             raise self.project.refuse("FS312", phrases[1].span, text=phrases[1].span.text, advice="a pause is its time")
         seconds = number(self.project, phrases[0].words[1:], self.scope, TIME, span)
         self.stretches.append(Stretch("pause", self.length, self.length, f"{seconds:.10g}"))
 
-    def words(self, source: Source, start: int, end: int) -> tuple[Phrase, ...]:
+    def words(self, inner: Span) -> tuple[Phrase, ...]:
         """The phrases between two brackets; what cannot be read is reported by the parser."""
-        phrases = parse_phrases(Span(source, start, end), self.project.diagnostics)
+        faults = Diagnostics()
+        phrases = parse_phrases(inner, faults)
+        for fault in faults:
+            self.project.note(Told(None, fault))
         if phrases is None:
             raise Refused
         return phrases

@@ -41,18 +41,22 @@ class Track:
 
 def track(project: Project, path: String) -> Track:
     """The track that a file holds. Raises `Refused`."""
+    project.notes.passing = True  # how many rows may be read hangs on the tracks before
     name = project_path(path.span, path.value)
-    known: Track | None = project.tracks.get(name)
+    known = project.tracks.get(name)
     if known is None:
-        known = project.tracks[name] = _Reading(project, path).track()
+        rows = sum(len(other.times) for other in project.tracks.values())
+        known = project.memo.once(project, ("track", name, rows), path, lambda: _Reading(project, path, rows).track())
+        project.tracks[name] = known
     return known
 
 
 class _Reading:
-    """Reads one file, a row at a time, so that a file that is too long or has a fault is given up where that shows."""
+    """Reads one file, a row at a time, so that a file that is too long or has a fault is given up where that shows.
+    `known` rows of other tracks were read before."""
 
-    def __init__(self, project: Project, path: String) -> None:
-        self.project, self.path = project, path
+    def __init__(self, project: Project, path: String, known: int) -> None:
+        self.project, self.path, self.known = project, path, known
         self.rows = cells(project, path, LARGEST_TRACK)
         self.places = self._places(next(self.rows, []))
         self.number = 0
@@ -92,10 +96,9 @@ class _Reading:
 
     def _keys(self) -> Iterator[tuple[float, Point | None]]:
         """The time and the place of each row; no place where the target is not seen."""
-        known = sum(len(other.times) for other in self.project.tracks.values())
         for row in self.rows:
             self.number += 1
-            if self.number + known > MOST_KEYS:
+            if self.number + self.known > MOST_KEYS:
                 raise self._refused(f"the tracks of this script have more than {MOST_KEYS} rows")
             texts = [row[column].strip() if column < len(row) else "" for _, column in self.places]
             time = self._time(texts[0])

@@ -55,7 +55,7 @@ def _read(project: Project, item: tree.Use, name: str, way: list[str], found: di
     except WorldFailure as failure:
         project.report("FS701", item.path.span, path=item.path.value, reason=failure.args[0])
         return
-    inner = parse(source, project.diagnostics)
+    inner = project.memo.parse(source, project.diagnostics)
     found[name] = inner
     if any(not isinstance(part, DEFINITIONS) for part in inner.items):
         project.report("FS231", item.span, path=item.path.value)

@@ -31,6 +31,10 @@ class Faults:
             fixes = (fix,) if fix else ()
             self._items.append(diagnose(code, self.span(start, end), fixes=fixes, **values))
 
+    def text(self, start: int, end: int) -> str:
+        """What stands between two offsets."""
+        return self.span(start, end).text
+
     def fix(self, title: str, *edits: tuple[int, int, str]) -> Fix:
         """A fix of edits (start, end, new text)."""
         return Fix(title, tuple(Edit(self.span(start, end), text) for start, end, text in edits))

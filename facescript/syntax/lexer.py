@@ -69,7 +69,7 @@ def lex(source: Source, faults: Faults) -> Lexed:
 
 
 def lex_piece(text: str, begin: int, faults: Faults) -> Line:
-    """One line that stands inside another text, at offset `begin` of its source: a cue."""
+    """One line that stands inside another text, at offset `begin` of its place: a cue."""
     lexer = _Lexer(text, faults)
     line = Line(0, [], begin)
     line.tokens = lexer.read(text, begin, line, fresh=False)

@@ -146,10 +146,9 @@ def _report_joined(place: Place) -> None:
 
 def _break(place: Place) -> Token | None:
     """The last comma before the fault at which the line goes on in the next."""
-    text = place.faults.source.text
     for index in range(place.index - 1, 0, -1):
         comma, after = place.tokens[index - 1], place.tokens[index]
-        if comma[0] == "COMMA" and "\n" in text[comma[3] : after[2]]:
+        if comma[0] == "COMMA" and "\n" in place.faults.text(comma[3], after[2]):
             return comma
     return None
 
@@ -172,7 +171,7 @@ def _report_colon(place: Place) -> Mended:
 def report_no_colon(opener: Token, last: Token, faults: Faults) -> None:
     """Report that `:` is missing after a header from `opener` to `last`; the place is the last word."""
     start, end = last[2:]
-    header = " ".join(faults.source.text[opener[2] : end].split())
+    header = " ".join(faults.text(opener[2], end).split())
     header = header if len(header) <= LONGEST_HEADER else opener[1]
     faults.add("FS120", start, end, faults.fix("write `:`", (end, end, ":")), header=header)
 
@@ -239,7 +238,7 @@ def _report_quotes(place: Place) -> Mended:
     """`use studio.face` means all that follows, `on cup:` the word."""
     size = len(place.tokens) - place.index - 1 if place.opener[0] == "USE" else 1
     start, end = place.token[2], place.tokens[place.index + size - 1][3]
-    text = f'"{place.faults.source.text[start:end]}"'
+    text = f'"{place.faults.text(start, end)}"'
     place.faults.add("FS130", start, end, place.faults.fix(f"write `{text}`", (start, end, text)), text=text)
     return place.with_(("STRING", text, start, end), instead=size)
 

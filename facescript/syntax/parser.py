@@ -34,7 +34,7 @@ def read(source: Source, faults: Faults) -> Script:
 
 def parse_phrases(span: Span, diagnostics: Diagnostics) -> tuple[Phrase, ...] | None:
     """The phrases of a piece of a line: a cue in a text, a value on the command line. None where it cannot be read."""
-    faults = Faults(span.source)
-    phrases: tuple[Phrase, ...] | None = Reader(faults).cue(lex_piece(span.text, span.start, faults))
+    faults = Faults(span.place)
+    phrases: tuple[Phrase, ...] | None = Reader(faults).cue(lex_piece(span.text, span.first, faults))
     faults.pour(diagnostics)
     return phrases

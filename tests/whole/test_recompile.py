@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 from random import Random
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import pytest
+from _authored import FILES, authored, put, revised
 from _scripts import lines_of
 from _wild import SIGNS, WORDS, wild
 from hypothesis import HealthCheck, given, settings
@@ -16,6 +18,8 @@ from hypothesis import strategies as st
 from facescript.compile import Compiled, compile_source
 from facescript.diagnostics.model import Diagnostics
 from facescript.recompile import Recompiler
+from facescript.resolve.memory import Memory
+from facescript.resolve.resolver import resolve
 from facescript.speech.estimate import EstimatedVoice
 from facescript.syntax.faults import MOST
 from facescript.syntax.parser import parse
@@ -87,6 +91,149 @@ def test_any_edits_are_compiled_as_a_fresh_compile_does(seed: int) -> None:
         fresh = told(compile_source(Source("edited.face", text), world, voice))
         assert told(recompiler.compile(Source("edited.face", text), world, voice)) == fresh
         text = edited(text, chance)
+
+
+@given(SEEDS)
+@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+def test_any_edits_of_names_and_files_are_resolved_as_a_fresh_compile_does(seed: int) -> None:
+    chance, memory, pieces = Random(seed), Memory(), Pieces()
+    text = authored(chance)
+    with TemporaryDirectory() as folder:
+        world = World(Path(folder))
+        for name in FILES:
+            put(world.root, name, chance)
+        for _ in range(6):
+            assert resolved(text, world, memory, pieces) == resolved(text, world)
+            text = revised(text, chance)
+            if chance.random() < 0.3:
+                put(world.root, chance.choice(list(FILES)), chance)
+
+
+def resolved(text: str, world: World, memory: Memory | None = None, pieces: Pieces | None = None) -> tuple[Any, Any]:
+    source, diagnostics = Source("edited.face", text), Diagnostics()
+    script = pieces.parse(source, diagnostics) if pieces else parse(source, diagnostics)
+    play = resolve(script, world, diagnostics, memo=memory)
+    return placed(diagnostics.items), placed(play)
+
+
+def known(count: int, names: int) -> str:
+    """Statements of which none is right, as many names that may have been meant."""
+    return "".join(f"expression e{number} = smile\n" for number in range(names)) + "shw e1\n" * count
+
+
+@pytest.mark.parametrize(
+    "states",
+    [
+        (
+            "expression wry = smile\nshow wry\n",
+            "expression wry = AU12\nshow wry\n",
+            "expression dry = smile\nshow wry\n",
+        ),
+        (
+            "expression a = b\nexpression b = smile 140%\nshow a\nshow b\n",
+            "expression a = b\nexpression b = smile\nshow b\n",
+        ),
+        (
+            "expression a = b\nexpression b = a\nshow a\nshow b\n",
+            "expression a = b\nexpression b = nod\nshow a\nshow b\n",
+        ),
+        ("let t = 2s\nwait t\n", "let t = 2cm\nwait t\n", "let t = 3s\nwait t\n", "wait t\n"),
+        ("target q at 1cm 2cm 3cm\nlook at q\n", "target q of (1cm 2cm 3cm) (2cm 2cm 3cm)\nlook at q\n", "look at q\n"),
+        (
+            "face a = woman\nface b = man\na: nod\nb: nod\n",
+            "face a = unseen\nface b = man\na: nod\nb: nod\n",
+            "b: nod\n",
+        ),
+        (
+            "nod as x\nat x.end: nod\ndrop x\n",
+            "at x.end: nod\ndrop x\n",
+            "let x = 3s\nnod as x\nat x.end: nod\ndrop x\n",
+        ),
+        ('say "a cup" as x\nat x."cup": nod\n', 'say "a mug" as x\nat x."cup": nod\n', 'nod as x\nat x."cup": nod\n'),
+        ("action f(): nod as n\nf\nf\n", "action f(): nod as n\nf\nf\nf\n", "action f(): nod as n\nnod\nf\nf\n"),
+        ("look at people.nearest\n", "target t at 1cm 2cm 3cm\nevent t arrives at 2s\nlook at people.nearest\n"),
+        ("show wry\n", "expression wry = (\nshow wry\n", "expression wry = smile\nshow wry\n"),  # a line that is lost
+        ("nod as say\nsay say\nnod say\n", "nod as y\nsay say\nnod say\n"),  # a word that is refused
+        ('say "a [show] b"\nnod\n', '\nsay "a [show] b"\nnod\n', 'say "a [show smile] b"\nnod\n'),
+        (known(48, 2), known(49, 2), known(50, 2), known(51, 1)),
+        ("face ada = woman\nview ada 120%\n", "view somebody 120%\n", "face bob = man\nview somebody 120%\n"),
+        (known(80, 1), "wat\n" * 110 + known(80, 1)),
+        (
+            "expression l(p) = p\nexpression q = smile\nshow q\nshow l(p = smile 140%)\n",
+            "expression l(p) = p\nexpression q = l(p = q)\nshow q\nshow l(p = smile 140%)\n",
+        ),
+        (
+            "expression a = b\nexpression b = smile\n" + "show a\n" * 3,
+            "expression a = b\nexpression b = AU12\n" + "show a\n" * 3,
+        ),
+        ("expression wry = smile\nshow wryy\n", "expression wrx = smile\nshow wryy\n", "show wryy\n"),
+        ("expression a = smile 140%\nnod\nshow a\nshow q\n", "expression a = smile 140%\nshow a\nshow q\n"),
+        ("background #102030\nscene a:\n    nod\n", "background #405060\nscene a:\n    nod\n", "scene a:\n    nod\n"),
+        ('when heard "a": nod as x\nwhen heard "b": nod as x\nnod\n', 'when heard "b": nod as x\nnod\n'),
+        (
+            "show smile\n" * 40,
+            "show smile\n" * 20 + "let q = 3\nwait q\n" + "show smile\n" * 20,
+            "wait q\n" + "nod\n" * 40,
+        ),
+        ("action f(): f\nf\nf\n", "action f(): nod\nf\nf\n", "nod\n", "action g(): f\naction f(): g\ng\nf\n"),
+    ],
+)
+def test_what_statements_hang_on(states: tuple[str, ...], tmp_path: Path) -> None:
+    memory, pieces, world = Memory(), Pieces(), World(tmp_path)
+    for text in (*states, *reversed(states), *states):
+        assert resolved(text, world, memory, pieces) == resolved(text, world)
+
+
+def test_a_script_that_grows_too_large_and_shrinks_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in ("project", "memory"):
+        monkeypatch.setattr(f"facescript.resolve.{module}.MOST_WORDS", 500)
+    memory, pieces, world = Memory(), Pieces(), World(tmp_path)
+    head = (
+        "let a = b + b\nlet b = c + c\nlet c = 1s\nexpression w(p) = p + p\nexpression v = w(p = smile) + w(p = AU4)\n"
+    )
+    found = []
+    for count in (1, 5, *range(20, 28), *range(27, 20, -1), 2):
+        text = head + "show v\n" + "wait a\n" * count
+        found.append(resolved(text, world, memory, pieces))
+        assert found[-1] == resolved(text, world)
+    assert {play is None for _, play in found} == {True, False}
+
+
+def test_a_script_that_unfolds_too_far_and_shrinks_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("facescript.resolve.resolver.EACH", -400)
+    memory, pieces, world = Memory(), Pieces(), World(tmp_path)
+    found = []
+    for count in (18, 19, 20, 19, 20, 18):
+        text = "action f():\n" + "    nod\n" * 4 + "f\n" * count
+        found.append(resolved(text, world, memory, pieces))
+        assert found[-1] == resolved(text, world)
+    assert [play is None for _, play in found] == [False, False, True, False, True, False]
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_files_are_read_again_once_they_changed(name: str, tmp_path: Path) -> None:
+    memory, pieces, world, chance = Memory(), Pieces(), World(tmp_path), Random(1)
+    text = 'use "other.face"\nshow theirs\nsay text "text.txt"\nsay ssml "x.ssml"\nrepeat r in "t.csv": nod r.degree\n'
+    for _ in range(8):
+        put(tmp_path, name, chance)
+        assert resolved(text, world, memory, pieces) == resolved(text, world)
+
+
+def test_what_hangs_on_nothing_that_changed_is_the_same_object(tmp_path: Path) -> None:
+    memory, pieces, world = Memory(), Pieces(), World(tmp_path)
+
+    def items(text: str) -> tuple[Any, ...]:
+        script = pieces.parse(Source("a.face", text), Diagnostics())
+        play = resolve(script, world, Diagnostics(), memo=memory)
+        assert play is not None
+        return play.scenes if len(play.scenes) > 1 else play.scenes[0].body.items
+
+    before = items(text := "expression wry = smile\nnod\nshow wry\nwait 1s\n")
+    after = items(text.replace("nod\n", "nod 30%\nblink\n"))
+    assert after[2] is before[1] and after[3] is before[2] and after[2].span.text == "show wry"
+    assert items(text.replace("= smile", "= AU12"))[2] is after[3]
+    before = items(text := "scene a:\n    nod\nscene b:\n    shake\n")
+    assert items(text.replace("nod", "nod 40%"))[1] is before[1] and before[1].span.text == "scene b:\n    shake"
 
 
 @pytest.mark.parametrize(

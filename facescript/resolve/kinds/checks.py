@@ -22,7 +22,7 @@ from facescript.text import Span
 
 def check(project: Project, kind: Kind) -> None:
     """Report what does not fit together. Raises `Refused` after that."""
-    before = len(project.diagnostics.items)
+    before = len(project.notes.told)
     shapes = _shapes(project, kind)
     _size(project, kind)
     if kind.points or kind.hair:
@@ -39,7 +39,7 @@ def check(project: Project, kind: Kind) -> None:
         _fits(project, pull, kind)
     for shade in kind.shades:
         _known(project, (shade.shape,), shapes, shade.span)
-    if len(project.diagnostics.items) > before:
+    if len(project.notes.told) > before:
         raise Refused
 
 
