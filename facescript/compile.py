@@ -10,7 +10,9 @@ from facescript.diagnostics.model import Diagnostics
 from facescript.ir.play import Film, Play
 from facescript.resolve.memo import Memo
 from facescript.resolve.resolver import resolve
-from facescript.schedule.scheduler import schedule
+from facescript.schedule.film import Timed
+from facescript.schedule.kept import Kept
+from facescript.schedule.scheduler import timed_by
 from facescript.schedule.score import Score
 from facescript.space.haste import haste
 from facescript.space.reach import reach
@@ -45,9 +47,11 @@ class Compiled:
         resolved: Callable[[], Play | None],
         voice: VoiceBox,
         settings: Settings,
+        kept: Kept | None = None,
     ) -> None:
-        """`diagnostics` hold what is wrong with the text; `resolved` gives the play and adds what is wrong with it."""
-        self.source, self.script = source, script
+        """`diagnostics` hold what is wrong with the text; `resolved` gives the play and adds what is wrong with it.
+        `kept` has what was solved of the state before."""
+        self.source, self.script, self._kept = source, script, kept or Kept()
         self._told, self._resolved, self._voice, self._settings = diagnostics, resolved, voice, settings
 
     @cached_property
@@ -58,16 +62,22 @@ class Compiled:
         return replace(play, film=_film(play.film, self._settings.film))
 
     @cached_property
+    def _timed(self) -> Timed | None:
+        timed = timed_by(self.play, self._voice, self._told, self._kept) if self.play is not None else None
+        if timed is not None:
+            astray = timed.astray()
+            reach(astray, self._told)
+            haste(astray, self._told)
+        return None if self._told.failed else timed
+
+    @cached_property
     def score(self) -> Score | None:
-        score = schedule(self.play, self._voice, self._told) if self.play is not None else None
-        if score is not None:
-            reach(score, self._told)
-            haste(score, self._told)
-        return None if self._told.failed else score
+        return self._timed.score() if self._timed is not None else None
 
     @property
     def diagnostics(self) -> Diagnostics:
-        return self.finished()._told
+        _ = self._timed
+        return self._told
 
     def finished(self) -> Compiled:
         """Itself, with all worked out."""
@@ -90,13 +100,15 @@ def of_script(
     diagnostics: Diagnostics,
     settings: Settings,
     memo: Memo | None = None,
+    kept: Kept | None = None,
 ) -> Compiled:
-    """A parsed script; `diagnostics` hold what is wrong with its text, `memo` what former states of it came to."""
+    """A parsed script; `diagnostics` hold what is wrong with its text, `memo` what its parts came to in the state
+    before, `kept` what was solved of them."""
 
     def resolved() -> Play | None:
         return resolve(script, world, diagnostics, settings.overrides, memo)
 
-    return Compiled(script.source, script, diagnostics, resolved, voice, settings)
+    return Compiled(script.source, script, diagnostics, resolved, voice, settings, kept)
 
 
 def with_events(script: Script, events: Source | None, diagnostics: Diagnostics) -> Script:

@@ -7,11 +7,10 @@ from itertools import pairwise
 from typing import TypeVar
 
 from facescript.diagnostics.model import Related
-from facescript.diagnostics.wording import tell
 from facescript.ir.acts import Drop, Show, in_pass
 from facescript.schedule.deeds import Deed, Sounding
 from facescript.schedule.drops import Key
-from facescript.schedule.faults import Faults, short
+from facescript.schedule.faults import Faults, When, short
 from facescript.schedule.steps import NEVER, SETTLED, START, Step
 from facescript.schedule.voices import CLOSE
 
@@ -30,7 +29,7 @@ def _overlap(before: Sounding, sound: Sounding, faults: Faults) -> None:
     span = sound.step.node.span
     other = Related(before.step.node.span, "the other line")
     guessed = before.step.rough(START) or sound.step.rough(START)
-    start, end = tell(sound.start), tell(before.end)
+    start, end = When(sound.start), When(before.end)
     if not guessed and sound.start - before.start < CLOSE:
         faults.add("FS401", span, other, face=sound.face, other=start)
     elif guessed or before.step.rough(SETTLED):
@@ -48,7 +47,7 @@ def shows_together(deeds: Iterable[Deed], faults: Faults) -> None:
                 other = Related(before.step.node.span, "the other `show`")
                 guessed = before.step.rough(START) or deed.step.rough(START)
                 code = "FS421" if guessed else "FS404"
-                faults.add(code, deed.step.node.span, other, face=deed.face, start=tell(deed.start))
+                faults.add(code, deed.step.node.span, other, face=deed.face, start=When(deed.start))
 
 
 def left_out(late: Sequence[Step], cut: Sequence[tuple[Step, float]], long: float, faults: Faults) -> None:
@@ -57,23 +56,24 @@ def left_out(late: Sequence[Step], cut: Sequence[tuple[Step, float]], long: floa
     loud = [(step, step.time(START)) for step in late if not step.hushed]
     never = [step for step, start in loud if start == NEVER]
     if never:
-        faults.add("FS413", never[0].node.span)
+        faults.add("FS413", never[0].node.span, once=True)
     beyond = [(step, start) for step, start in (*loud, *cut) if long <= start < NEVER and not step.hushed]
     if beyond:
         step, start = min(beyond, key=lambda one: one[1])
-        faults.add("FS414", step.node.span, long=tell(long), start=tell(start))
+        faults.add("FS414", step.node.span, once=True, long=When(long), start=When(start))
 
 
 def nothing_dropped(
-    idle: Iterable[Deed], drops: Mapping[int, tuple[Key, ...]], deeds: Sequence[Deed], faults: Faults
+    idle: Sequence[Deed], drops: Mapping[int, tuple[Key, ...]], deeds: Sequence[Deed], faults: Faults
 ) -> None:
     """Report the drops of a scene that find nothing, however often they are played. What a reaction finds depends on
     when its event comes."""
     useful = {id(deeds[order].step.node) for order, terms in drops.items() if terms}
+    labels = {name for deed in deeds for name in deed.names} if idle else set()
     for deed in idle:
         if isinstance(deed.verb, Drop) and not deed.root.reaction and id(deed.step.node) not in useful:
             label = in_pass(deed.verb.name, deed.step.passes)
-            name = short(label) if any(label in other.names for other in deeds) else label
+            name = short(label) if label in labels else label
             faults.add("FS416", deed.step.node.span, face=deed.face, name=name)
 
 

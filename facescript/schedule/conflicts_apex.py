@@ -13,7 +13,7 @@ from facescript.schedule.conflicts import by_face, covers
 from facescript.schedule.deeds import Deed
 from facescript.schedule.defaults import seconds
 from facescript.schedule.drops import Key
-from facescript.schedule.faults import Faults
+from facescript.schedule.faults import Faults, When
 from facescript.schedule.steps import START
 from facescript.schedule.voices import CLOSE
 
@@ -83,8 +83,8 @@ def _missed(deed: Deed, other: Deed, how: str, faults: Faults) -> None:
         "FS425",
         deed.step.node.span,
         Related(other.step.node.span, how),
-        time=tell(other.start, rough),
-        apex=tell(rise.end, rough),
+        time=When(other.start, rough),
+        apex=When(rise.end, rough),
         reached=f"{100 * reached:.0f} %",
     )
 
@@ -99,7 +99,7 @@ def _hurried(deed: Deed, faults: Faults) -> None:
     asked, given = seconds(deed.verb.timing.over), _rise(deed).length
     if given < HURRIED * asked and deed.release < deed.step.limit - CLOSE:
         rough = deed.step.rough(START)
-        times = {"apex": tell(deed.start + asked, rough), "release": tell(deed.release, rough)}
+        times = {"apex": When(deed.start + asked, rough), "release": When(deed.release, rough)}
         faults.add("FS424", node.span, asked=tell(asked), given=tell(given), **times)
 
 

@@ -12,7 +12,7 @@ from facescript.ir.acts import Glance, Look, Scan
 from facescript.schedule.conflicts import by_face, covers
 from facescript.schedule.deeds import Deed
 from facescript.schedule.defaults import seconds
-from facescript.schedule.faults import Faults
+from facescript.schedule.faults import Faults, When
 from facescript.schedule.steps import START
 from facescript.schedule.voices import CLOSE
 from facescript.space.plan import GazePlan
@@ -60,8 +60,8 @@ def _together(before: Deed, deed: Deed, plans: Plans, faults: Faults) -> None:
         Related(before.step.node.span, "the other look"),
         face=deed.face,
         part=" and ".join(sorted(both)),
-        start=tell(onset(deed), rough),
-        until=f" until {tell(deed.release, rough)}" if back else "",
+        start=When(onset(deed), rough),
+        until=When(deed.release, rough, " until {}") if back else "",
     )
 
 
@@ -95,8 +95,8 @@ def _short(deed: Deed, plan: GazePlan, what: str, end: float, related: tuple[Rel
         what=what,
         face=deed.face,
         part=_leads(deed),
-        end=tell(end, rough),
-        landed=tell(plan.landed, rough),
+        end=When(end, rough),
+        landed=When(plan.landed, rough),
         need=tell(plan.landed - plan.starts),
     )
 

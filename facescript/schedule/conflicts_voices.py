@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from facescript.diagnostics.model import Related
-from facescript.diagnostics.wording import tell
 from facescript.ir.acts import At, Together, in_pass
 from facescript.schedule.conflicts import by_face
 from facescript.schedule.deeds import Sounding
-from facescript.schedule.faults import Faults
+from facescript.schedule.faults import Faults, When
 from facescript.schedule.steps import SETTLED, START, Step
 from facescript.schedule.voices import CLOSE
 
@@ -38,8 +37,8 @@ def _overlap(before: Sounding, sound: Sounding, faults: Faults) -> None:
         Related(before.step.node.span, "the other line"),
         face=sound.face,
         other=before.face,
-        start=tell(sound.start, sound.step.rough(START)),
-        end=tell(before.end, before.step.rough(SETTLED)),
+        start=When(sound.start, sound.step.rough(START)),
+        end=When(before.end, before.step.rough(SETTLED)),
     )
 
 

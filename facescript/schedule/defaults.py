@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable
 from dataclasses import fields, is_dataclass, replace
 from functools import cache
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from facescript.ir.acts import Add, Drop, Gesture, Glance, Say, Show, Timing, Verb
 from facescript.ir.random import between
@@ -31,6 +31,9 @@ LASTING = {"nod": 0.7, "shake": 0.9, "tilt": 0.9, "blink": 0.3, "wink": 0.4}
 
 GLANCE = 0.5
 """A glance is "half a second" (language.md, the table of what settles when)."""
+
+PLAIN = {float, int, bool, str, type(None)}
+"""What holds no draw."""
 
 Place = Callable[[], tuple[Hashable, ...]]
 """Where a draw stands in the script; asked only where there is something to draw."""
@@ -77,13 +80,14 @@ class Concrete:
 
 def has_draw(value: object) -> bool:
     """Whether a value of the play holds a draw."""
-    if isinstance(value, Draw):
+    kind: Any = type(value)
+    if kind is Draw:
         return True
-    if isinstance(value, tuple):
-        return any(has_draw(part) for part in value)
-    if not is_dataclass(value) or isinstance(value, (type, Span)):
-        return False
-    return any(has_draw(getattr(value, name)) for name in _fields(type(value)))
+    if kind is tuple:
+        parts: Iterable[object] = cast(tuple[object, ...], value)
+    else:
+        parts = [getattr(value, name) for name in _fields(kind)]
+    return any(type(part) not in PLAIN and has_draw(part) for part in parts)
 
 
 def filled(verb: Verb) -> Verb:
@@ -124,5 +128,6 @@ def seconds(amount: Amount | None) -> float:
 
 
 @cache
-def _fields(kind: type) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(kind))
+def _fields(kind: type[Any]) -> tuple[str, ...]:
+    """The names of what a value of the play consists of; nothing for a place in the text."""
+    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) and kind is not Span else ()

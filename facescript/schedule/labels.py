@@ -54,10 +54,11 @@ def nodes(top: Node) -> Iterator[tuple[Node, Route]]:
     while waiting:
         node, route = waiting.pop()
         yield node, route
-        waiting += [(inner, (*route, index)) for index, inner in _inner(node)]
+        waiting += [(one, (*route, index)) for index, one in inner(node)]
 
 
-def _inner(node: Node) -> list[tuple[int, Node]]:
+def inner(node: Node) -> list[tuple[int, Node]]:
+    """The statements right inside one, each with its index on a route."""
     if isinstance(node, Do):
         cues = node.verb.cues if isinstance(node.verb, Say) else ()
         return [(index, cue.body) for index, cue in enumerate(cues)]

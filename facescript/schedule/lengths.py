@@ -43,17 +43,17 @@ PAUSE = 0.25
 
 @dataclass(slots=True)
 class Lengths:
-    """Lengths of verbs at the times they start."""
+    """Lengths of verbs at the times they start. `paced` are concrete verbs with what `unhurried` makes of them."""
 
     concrete: Concrete
     presence: Presence
     facts: Facts
+    paced: dict[int, tuple[Verb, Verb]]
 
     def settle(self, step: Step, verb: Verb) -> float:
         """Seconds from a step's start until it has settled; its verb is made concrete on the way. Not for lines."""
         start = step.time(START)
-        made = self.concrete.verb(verb, step.place)
-        step.verb = verb = unhurried(ended(verb, made, start, step.until))
+        step.verb = verb = self._made(step, verb, start)
         step.root.maker.take(step, self._weight(verb, start))
         if isinstance(verb, (Look, Glance, Show, Add, Gesture)) and verb.timing.lasting is not None:
             return seconds(verb.timing.lasting)
@@ -69,6 +69,17 @@ class Lengths:
             return 0.0
         assert isinstance(verb, Wait)
         return seconds(verb.duration)
+
+    def _made(self, step: Step, verb: Verb, start: float) -> Verb:
+        """The verb with plain numbers that heads and eyes can follow; worked out once where it is always the same."""
+        made = self.concrete.verb(verb, step.place)
+        whole = ended(verb, made, start, step.until)
+        if whole is not made:
+            return unhurried(whole)
+        known = self.paced.get(id(made))
+        if known is None:
+            known = self.paced[id(made)] = made, unhurried(made)
+        return known[1]
 
     def _weight(self, verb: Verb, start: float) -> int:
         """As how many more statements a verb counts: a stop of a scan is one, and so are a few of a crowd of which the

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import accumulate
 
 from facescript.ir.acts import Glance, Look, Scan
@@ -16,7 +16,7 @@ from facescript.schedule.dwells import dwells
 from facescript.schedule.presence import Presence
 from facescript.schedule.steps import NEVER, Key
 from facescript.space.plan import GazePlan
-from facescript.space.planner import GazeRequest, plan_gaze, scan_stops
+from facescript.space.planner import GazeRequest, Rest, plan_gaze, plan_on, scan_stops
 
 GRAIN = 4
 """Decimals of a look's length: times that differ by less are the same, so that rounds come to rest."""
@@ -24,11 +24,15 @@ GRAIN = 4
 
 @dataclass(slots=True)
 class Gaze:
-    """Plans the gaze of a film's faces."""
+    """Plans the gaze of a film's faces. Where a scene is solved in stretches, `rests` is the gaze at rest that one
+    begins with, `left` what it leaves, and `still` when that is at rest."""
 
     faces: Mapping[str, Face]
     presence: Presence
     seed: int
+    rests: Mapping[str, Rest] | None = None
+    left: dict[str, Rest] = field(default_factory=dict)
+    still: float = 0.0
 
     def plan(self, deeds: Iterable[Deed], scenes: Sequence[float]) -> dict[int, tuple[GazePlan, ...]]:
         """The shifts of each deed by its order; a scan's stops one after another. `scenes` are the scenes' starts."""
@@ -39,7 +43,12 @@ class Gaze:
                 requests.setdefault(deed.face, []).extend(self._requests(deed, scene, scenes[scene]))
         plans: dict[int, tuple[GazePlan, ...]] = {}
         for name, asked in requests.items():
-            planned = plan_gaze(self.presence.room, self.faces[name], asked, scenes)
+            if self.rests is None:
+                planned = plan_gaze(self.presence.room, self.faces[name], asked, scenes)
+            else:
+                room, rest = self.presence.room, self.rests.get(name)
+                planned, self.left[name], still = plan_on(room, self.faces[name], asked, rest)
+                self.still = max(self.still, still)
             for order, stop in sorted(planned):
                 plans[order] = (*plans.get(order, ()), *planned[order, stop])
         return plans

@@ -29,13 +29,17 @@ class Played:
 
 @dataclass(slots=True)
 class Round:
-    """All the trees of a play, solved. `first` is which scene played was the first run of one of the play's; a
-    `stopped` film lives on after its last scene."""
+    """All the trees of a play, solved. `end` is when the last scene has ended, and `rough` whether that (and at first
+    the start of the first one) rests on an estimate. `first` is which scene played was the first run of one of the
+    play's; a `stopped` film lives on after its last scene."""
 
     play: Play
     times: Times
     maker: Maker
     long: float
+    rough: bool = False
+    after_line: bool = False
+    end: float = 0.0
     scenes: list[Played] = field(default_factory=list)
     first: dict[int, int] = field(default_factory=dict)
     reactions: list[Root] = field(default_factory=list)
@@ -58,7 +62,7 @@ class Round:
     def _play(self, solver: Solver, controls: list[Control]) -> None:
         """Play scene after scene. A `stop` ends the scene, a `restart` plays it again; the last scene, once it has
         ended, can still be played again."""
-        number, start, rough, coming = 0, 0.0, False, 0
+        number, start, coming = 0, 0.0, 0
         while number < len(self.play.scenes):
             if start >= self.long:
                 self.unplayed += [(later, start) for later in range(number, len(self.play.scenes))]
@@ -66,8 +70,8 @@ class Round:
             while coming < len(controls) and controls[coming].time <= start:
                 coming += 1
             limit = controls[coming].time if coming < len(controls) else NEVER
-            root = self._scene(number, start, min(limit, self.long), rough)
-            end, rough = solver.solve(root.top, DONE)
+            root = self._scene(number, start, min(limit, self.long))
+            end, self.rough = solver.solve(root.top, DONE)
             last = number == len(self.play.scenes) - 1
             control = controls[coming] if limit < end else None
             self.stopped = control is not None and control.kind == "stop"
@@ -78,7 +82,7 @@ class Round:
                 end = control.time if control else end
             self.scenes.append(Played(number, root, end))
             number += control is None or control.kind == "stop"
-            start = end
+            start = self.end = end
 
     def _controls(self, triggers: Sequence[Trigger]) -> list[Control]:
         """The stops and restarts of the reactions that come to their end, in time."""
@@ -89,11 +93,12 @@ class Round:
                 controls.append(Control(time, ending))
         return sorted(controls, key=lambda control: control.time)
 
-    def _scene(self, number: int, start: float, limit: float, rough: bool) -> Root:
+    def _scene(self, number: int, start: float, limit: float) -> Root:
         scene = self.play.scenes[number]
         again = len(self.scenes) - self.first.setdefault(number, len(self.scenes))
         root = Root(0, ("scene", scene.name, *([again] if again else [])), start, self.maker, scene=len(self.scenes))
-        root.plant(scene.body, limit, rough)
+        root.after_line = self.after_line
+        root.plant(scene.body, limit, self.rough)
         root.top.index = len(self.scenes)
         return root
 

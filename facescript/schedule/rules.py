@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator
 from dataclasses import dataclass, field
 
-from facescript.ir.acts import At, Cue, Do, Repeat, Say, WaitUntil
+from facescript.ir.acts import At, Cue, Do, Repeat, Say, Verb, WaitUntil
 from facescript.ir.values import Mark, Moment
 from facescript.schedule.faults import Faults
 from facescript.schedule.labels import Labels
@@ -27,7 +27,7 @@ class Times:
     requests: list[tuple[Step, float]] = field(default_factory=list)
     cut: list[tuple[Step, float]] = field(default_factory=list)
 
-    def rule(self, step: Step, edge: int) -> Rule:
+    def rule(self, step: Step, edge: int) -> Rule | Time:
         if edge == START:
             return self._start(step)
         return self._settled(step) if edge == SETTLED else self._done(step)
@@ -37,14 +37,23 @@ class Times:
 
     # -------------------------------------------------------------------------------------------- starts
 
-    def _start(self, step: Step) -> Rule:
+    def _start(self, step: Step) -> Rule | Time:
         if isinstance(step.node, At):
-            return (yield from self._moment(step, step.node.moment))
+            return self._moment(step, step.node.moment)
         if step.before is not None:
-            time, rough = yield (step.before, SETTLED)
+            need = step.before, SETTLED
         else:
             assert step.parent is not None
-            time, rough = yield (step.parent, START)
+            need = step.parent, START
+        known = need[0].times[need[1]]
+        return self._following(step, need) if known is None else self._follows(step, known)
+
+    def _following(self, step: Step, need: Need) -> Rule:
+        return self._follows(step, (yield need))
+
+    def _follows(self, step: Step, forerunner: Time) -> Time:
+        """The start of a step, where what it follows has settled."""
+        time, rough = forerunner
         if isinstance(step.node, Do) and isinstance(step.node.verb, Say):
             if after_line(step):
                 time += PAUSE
@@ -92,20 +101,31 @@ class Times:
 
     # -------------------------------------------------------------------------------------------- settling
 
-    def _settled(self, step: Step) -> Rule:
+    def _settled(self, step: Step) -> Rule | Time:
         node = step.node
         if isinstance(node, Repeat):
-            return (yield from self._passes(step, node))
+            return self._passes(step, node)
         if not isinstance(node, Do):
-            return (yield (step, DONE))
-        start, rough = yield (step, START)
-        if isinstance(node.verb, Say):
-            return self._line(step, node.verb, start, rough)
+            return self._all_done(step)
         if isinstance(node.verb, WaitUntil):
-            return (yield from self._wait(step, node.verb.moment, start, rough))
-        return start + self.lengths.settle(step, node.verb), rough
+            return self._wait(step, node.verb.moment)
+        known = step.times[START]
+        return self._settling(step, node.verb) if known is None else self._settles(step, node.verb, known)
 
-    def _wait(self, step: Step, moment: Moment, start: float, rough: bool) -> Rule:
+    def _all_done(self, step: Step) -> Rule:
+        return (yield (step, DONE))
+
+    def _settling(self, step: Step, verb: Verb) -> Rule:
+        return self._settles(step, verb, (yield (step, START)))
+
+    def _settles(self, step: Step, verb: Verb, start: Time) -> Time:
+        """When an act that starts then has settled."""
+        if isinstance(verb, Say):
+            return self._line(step, verb, *start)
+        return start[0] + self.lengths.settle(step, verb), start[1]
+
+    def _wait(self, step: Step, moment: Moment) -> Rule:
+        start, rough = yield (step, START)
         time, rough_moment = yield from self._moment(step, moment)
         if step.quiet:
             return start, rough
@@ -191,11 +211,14 @@ class Times:
 
     # -------------------------------------------------------------------------------------------- all of it
 
-    def _done(self, step: Step) -> Rule:
-        if isinstance(step.node, (Do, Repeat)):
-            latest = yield (step, SETTLED)
-        else:
-            latest = yield (step, START)
+    def _done(self, step: Step) -> Rule | Time:
+        known = step.times[SETTLED]
+        if known is not None and isinstance(step.node, Do) and not step.children:
+            return known
+        return self._all_inside(step)
+
+    def _all_inside(self, step: Step) -> Rule:
+        latest = yield (step, SETTLED if isinstance(step.node, (Do, Repeat)) else START)
         if isinstance(step.node, At) and latest[0] == NEVER:
             return latest
         if isinstance(step.node, Repeat):

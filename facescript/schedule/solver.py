@@ -18,8 +18,8 @@ Rule = Generator[Need, Time, Time]
 class Rules(Protocol):
     """Where the rules are."""
 
-    def rule(self, step: Step, edge: int) -> Rule:
-        """The rule for a time of a step."""
+    def rule(self, step: Step, edge: int) -> Rule | Time:
+        """A time of a step, where nothing else needs to be known for it first; else the rule for it."""
         ...
 
     def circle(self, needs: list[Need]) -> None:
@@ -37,38 +37,37 @@ class Solver:
 
     def solve(self, step: Step, edge: int) -> Time:
         """The time of a step. Where it is in a circle, the circle is reported and the time is the start of its tree."""
-        value = step.times[edge]
-        if value is not None:
-            return value
-        self._push((step, edge))
-        sent: Time | None = None
+        sent = self._given((step, edge))
         while self._stack:
-            (step, edge), rule = self._stack[-1]
+            need, rule = self._stack[-1]
             try:
-                need = next(rule) if sent is None else rule.send(sent)
+                wanted = next(rule) if sent is None else rule.send(sent)
             except StopIteration as finished:
+                step, edge = need
                 sent = step.times[edge] = finished.value
                 self._active.discard((id(step), edge))
                 self._stack.pop()
                 continue
-            sent = self._given(need)
+            sent = self._given(wanted)
         assert sent is not None
         return sent
 
     def _given(self, need: Need) -> Time | None:
-        """The time where it is known; else None, and its rule is next."""
+        """The time where it is known or follows at once; else None, and its rule is next."""
         step, edge = need
         known = step.times[edge]
-        if known is None and (id(step), edge) in self._active:
+        if known is not None:
+            return known
+        if (id(step), edge) in self._active:
             self._circle(need)
             return (step.root.start, False)
-        if known is None:
-            self._push(need)
-        return known
-
-    def _push(self, need: Need) -> None:
-        self._active.add((id(need[0]), need[1]))
-        self._stack.append((need, self.rules.rule(*need)))
+        rule = self.rules.rule(step, edge)
+        if isinstance(rule, tuple):
+            step.times[edge] = rule
+            return rule
+        self._active.add((id(step), edge))
+        self._stack.append((need, rule))
+        return None
 
     def _circle(self, need: Need) -> None:
         needs = [entry[0] for entry in self._stack]

@@ -19,4 +19,4 @@ def sounds_unknown(sounds: Iterable[Sounding], voices: Voices, visemes: Iterable
         symbols = {phone.symbol for phone in voices.speak(sounding.line, span).phones if phone.symbol}
         for sign in sorted({sign for symbol in symbols for sign in table.unknown(symbol)} - told):
             told.add(sign)
-            faults.add("FS525", span, sound=sign)
+            faults.add("FS525", span, once=sign, sound=sign)

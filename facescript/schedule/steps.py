@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
@@ -46,11 +45,12 @@ class Maker:
         """The names of the statements of a block: the label, else what it is; and how many such stand before it."""
         known = self._names.get(id(block))
         if known is None:
-            seen: Counter[str] = Counter()
-            kinds = [item.label.rpartition(".")[2] if item.label else _kind(item) for item in block.items]
-            known = tuple(f"{kind} {seen.update((kind,)) or seen[kind]}" for kind in kinds)
-            self._names[id(block)] = known
+            known = self._names[id(block)] = names_of(block.items)
         return known
+
+    def call(self, block: Sequence, names: tuple[str, ...]) -> None:
+        """Say how the seed knows the statements of a block that is a part of a longer one."""
+        self._names[id(block)] = names
 
 
 @dataclass(slots=True, eq=False)
@@ -59,6 +59,7 @@ class Root:
 
     `rank` orders them (a reaction is "as if written later"), `place` names it to the seed, `start` is from the film's
     start. `persons` are those that the event brought; a reaction that is `afresh` is cut because its event came again.
+    What is solved of a scene may begin `after_line`.
     """
 
     rank: int
@@ -69,6 +70,7 @@ class Root:
     persons: tuple[tuple[str, str], ...] = ()
     afresh: bool = False
     scene: int = 0
+    after_line: bool = False
     top: Step = field(init=False)
 
     def plant(self, body: Sequence, limit: float, rough: bool = False) -> Step:
@@ -180,6 +182,17 @@ class Step:
         return (*self.root.place, *reversed(names))
 
 
+def names_of(items: tuple[Node, ...]) -> tuple[str, ...]:
+    """The names of statements that follow each other: the label, else what it is; and how many such stand before."""
+    seen: dict[str, int] = {}
+    names = []
+    for item in items:
+        kind = item.label.rpartition(".")[2] if item.label else _kind(item)
+        seen[kind] = seen.get(kind, 0) + 1
+        names.append(f"{kind} {seen[kind]}")
+    return tuple(names)
+
+
 def _kind(node: Node) -> str:
     if isinstance(node, Do):
         kind = node.verb.kind if isinstance(node.verb, Gesture) else type(node.verb).__name__
@@ -205,7 +218,9 @@ def after_line(step: Step) -> bool:
     """Whether a step directly follows a line; its forerunner has settled."""
     while step.before is None:
         parent = step.parent
-        if parent is None or not isinstance(parent.node, (Sequence, Choose, Repeat)):
+        if parent is None:
+            return step.root.after_line
+        if not isinstance(parent.node, (Sequence, Choose, Repeat)):
             return False
         step = parent
     return ends_in_line(step.before)

@@ -19,31 +19,35 @@ SILENT = Spoken(b"", 22_050, 0.0, (), (), estimated=True)
 
 @dataclass(slots=True)
 class Voices:
-    """A voice box that remembers what it has spoken, what it could not, and where words stand."""
+    """A voice box that remembers what it has spoken, what it could not, and where words stand. `alike` are lines that
+    were spoken elsewhere, `outside` those that hang on files."""
 
     box: VoiceBox
+    alike: dict[Say, Spoken | VoiceFailure] = field(default_factory=dict)
     failures: list[tuple[Span, VoiceFailure]] = field(default_factory=list)
-    doubts: list[tuple[Span, Doubt]] = field(default_factory=list)
+    doubts: list[tuple[Span, Say, Doubt]] = field(default_factory=list)
+    outside: list[tuple[Say, Spoken]] = field(default_factory=list)
     _spoken: dict[int, Spoken] = field(default_factory=dict)
-    _alike: dict[Say, Spoken] = field(default_factory=dict)
     _places: dict[tuple[str, str], tuple[tuple[int, int], ...]] = field(default_factory=dict)
 
     def speak(self, line: Say, span: Span) -> Spoken:
         """The line as sound; `span` is where it stands."""
         known = self._spoken.get(id(line))
         if known is None:
-            bare = replace(line, cues=())
-            known = self._alike.get(bare) or self._first(line, span)
-            self._spoken[id(line)] = self._alike[bare] = known
+            known = self._spoken[id(line)] = self._first(line, span)
         return known
 
     def _first(self, line: Say, span: Span) -> Spoken:
-        try:
-            spoken = self.box.speak(line)
-        except VoiceFailure as failure:
-            self.failures.append((span, failure))
+        bare = replace(line, cues=())
+        spoken = self.alike.get(bare)
+        if spoken is None:
+            spoken = self.alike[bare] = spoken_by(self.box, line)
+        if isinstance(spoken, VoiceFailure):
+            self.failures.append((span, spoken))
             return SILENT
-        self.doubts += ((span, doubt) for doubt in spoken.doubts)
+        if line.recording or line.times:
+            self.outside.append((bare, spoken))
+        self.doubts += ((span, bare, doubt) for doubt in spoken.doubts)
         return spoken
 
     def word(self, line: Say, span: Span, word: str, nth: int) -> tuple[float, float]:
@@ -72,6 +76,14 @@ class Voices:
             raise ValueError(f"the play asks for {name!r}, number {nth}, in a line without it")
         time = times[nth - 1] if times else 0.0
         return time, time
+
+
+def spoken_by(box: VoiceBox, line: Say) -> Spoken | VoiceFailure:
+    """A line as sound, or why there is none."""
+    try:
+        return box.speak(line)
+    except VoiceFailure as failure:
+        return failure
 
 
 def _at_mark(line: Say, number: int, spoken: Spoken) -> float:

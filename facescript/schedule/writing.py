@@ -1,4 +1,4 @@
-"""A solved round to the score: acts, lines, scenes and markers at their absolute times."""
+"""A solved round to what it gives to the score: acts, lines, markers and blocks, in seconds from the round's start."""
 
 from __future__ import annotations
 
@@ -15,18 +15,17 @@ from facescript.ir.acts import (
     SetLife,
     SetPicture,
     Show,
-    Verb,
     View,
     in_pass,
 )
 from facescript.ir.acts import Sequence as Block
-from facescript.ir.play import Play, Scene
 from facescript.ir.random import chance
-from facescript.schedule.deeds import Deed, walk
-from facescript.schedule.defaults import Concrete, seconds
+from facescript.schedule.deeds import Deed, Sounding, walk
+from facescript.schedule.defaults import seconds
 from facescript.schedule.looks import gone, scene_at
+from facescript.schedule.part import Written
 from facescript.schedule.round import Round
-from facescript.schedule.score import FOREVER, Marker, Score, TimedAct, TimedBlock, TimedLine, TimedScene
+from facescript.schedule.score import FOREVER, Marker, TimedAct, TimedBlock, TimedLine
 from facescript.schedule.steps import DONE, NEVER, SETTLED, START, Step
 from facescript.space.plan import GazePlan
 
@@ -42,43 +41,28 @@ HOLD = 1.0
 
 @dataclass(slots=True)
 class Writing:
-    """What a score is written from: the last round, its gaze and its drops."""
+    """What is written from: the last round, its lines, its gaze and its drops."""
 
-    play: Play
     round: Round
-    concrete: Concrete
+    sounds: Sequence[Sounding]
+    seed: int
     plans: Mapping[int, tuple[GazePlan, ...]]
     drops: Mapping[int, tuple[tuple[int, int], ...]]
 
-    def score(self) -> Score:
-        settings = list(self._settings())
-        acts = [self._act(deed, len(settings)) for deed in self.round.done]
-        lines = self._lines()
-        duration = self._duration(acts, lines)
-        return Score(
-            self.play.film,
-            self.play.faces,
-            self.play.targets,
-            tuple(self._scenes(duration)),
-            tuple(sorted((*settings, *acts), key=lambda act: (act.start, act.order))),
-            lines,
-            tuple(self._markers()),
-            duration,
-            any(line.spoken.estimated for line in lines),
-            self.play.visemes,
-            tuple(self._blocks()),
-        )
+    def written(self) -> Written:
+        starts = self.round.starts()
+        acts = tuple(self._act(deed, starts) for deed in self.round.done)
+        lines = tuple(self._line(sound) for sound in self.sounds)
+        return Written(acts, lines, tuple(self._markers()), tuple(self._blocks()), self._lasts(acts, lines))
 
-    # -------------------------------------------------------------------------------------------- acts
-
-    def _act(self, deed: Deed, before: int) -> TimedAct:
-        """The act of a deed; `before` acts are set before the first."""
+    def _act(self, deed: Deed, scenes: Sequence[float]) -> TimedAct:
+        """The act of a deed. `scenes` are the scenes' starts."""
         plan = self.plans.get(deed.order, ())
         return TimedAct(
-            before + deed.order,
+            deed.order,
             deed.verb,
             deed.face,
-            scene_at(self.round.starts(), deed),
+            scene_at(scenes, deed),
             deed.start,
             deed.settled,
             deed.release,
@@ -86,7 +70,7 @@ class Writing:
             deed.step.node.span,
             deed.label,
             plan,
-            tuple((before + order, term) for order, term in self.drops.get(deed.order, ())),
+            self.drops.get(deed.order, ()),
             deed.root.persons,
             deed.step.rough(START),
             self._seed(deed),
@@ -96,47 +80,14 @@ class Writing:
         """Where an expression lives by itself, the seed it lives by."""
         if not isinstance(deed.verb, (Show, Add)) or deed.verb.timing.manner != "spontaneous":
             return 0
-        return int(chance(self.concrete.seed, deed.face, *deed.step.place(), "apex") * SEEDS)
+        return int(chance(self.seed, deed.face, *deed.step.place(), "apex") * SEEDS)
 
-    def _settings(self) -> Iterator[TimedAct]:
-        """What holds from each scene's first moment, because it is written before the scenes."""
-        order = 0
-        for number, played in enumerate(self.round.scenes):
-            scene, start = self.play.scenes[played.scene], played.root.start
-            for verb, face in self._set(scene):
-                settled = start + seconds(verb.over)
-                yield TimedAct(order, verb, face, number, start, settled, FOREVER, FOREVER, scene.span)
-                order += 1
-
-    def _set(self, scene: Scene) -> list[tuple[SetBackground | View | SetLife, str | None]]:
-        found: list[tuple[Verb | None, str | None]] = [
-            (scene.background or self.play.background, None),
-            (scene.view or self.play.view, None),
-        ]
-        found += [(SetLife(life), face) for face, life in self.play.lives if face in scene.faces]
-        made = [(self.concrete.verb(verb, lambda: ("before", scene.name)), face) for verb, face in found if verb]
-        return [(verb, face) for verb, face in made if isinstance(verb, (SetBackground, View, SetLife))]
-
-    # -------------------------------------------------------------------------------------------- the rest
-
-    def _lines(self) -> tuple[TimedLine, ...]:
-        lines = []
-        for sound in self.round.sounds():
-            node = sound.step.node
-            spoken = self.round.times.voices.speak(sound.line, node.span)
-            label = in_pass(node.label, sound.step.passes) if node.label else None
-            cut = sound.end if sound.cut else None
-            said = sound.line
-            lines.append(
-                TimedLine(sound.face, sound.start, spoken, said.voice.volume, node.span, label, cut, said.text)
-            )
-        return tuple(sorted(lines, key=lambda line: line.start))
-
-    def _scenes(self, duration: float) -> Iterator[TimedScene]:
-        starts = (*self.round.starts()[1:], duration)
-        for played, end in zip(self.round.scenes, starts, strict=True):
-            scene = self.play.scenes[played.scene]
-            yield TimedScene(scene.name, scene.faces, played.root.start, end, scene.title)
+    def _line(self, sound: Sounding) -> TimedLine:
+        node, said = sound.step.node, sound.line
+        spoken = self.round.times.voices.speak(said, node.span)
+        label = in_pass(node.label, sound.step.passes) if node.label else None
+        cut = sound.end if sound.cut else None
+        return TimedLine(sound.face, sound.start, spoken, said.voice.volume, node.span, label, cut, said.text)
 
     def _blocks(self) -> Iterator[TimedBlock]:
         for step, _ in self._steps():
@@ -151,14 +102,12 @@ class Writing:
 
     def _markers(self) -> Iterator[Marker]:
         """Every statement with a name, where it starts: a line that was broken off, where it is begun again."""
-        found = []
         for step, _ in self._steps():
             time = step.sayings[-1][0] if step.sayings else step.time(START)
             if step.node.label and time < min(step.limit, NEVER):
-                found.append(Marker(in_pass(step.node.label, step.passes), time))
-        yield from sorted(found, key=lambda marker: marker.time)
+                yield Marker(in_pass(step.node.label, step.passes), time)
 
-    def _duration(self, acts: Sequence[TimedAct], lines: Sequence[TimedLine]) -> float:
+    def _lasts(self, acts: Sequence[TimedAct], lines: Sequence[TimedLine]) -> float:
         """Until all has been done and let go, or where the film is cut. After a `stop` life goes on."""
         long = self.round.long
         if self.round.stopped and long < NEVER:

@@ -69,10 +69,43 @@ def plan_gaze(
     `TooMuchGaze`.
     """
     plans: dict[Key, tuple[GazePlan, ...]] = {}
-    for scene in sorted({request.scene for request in requests}):
-        own = [request for request in requests if request.scene == scene]
+    rows: dict[int, list[GazeRequest]] = {}
+    for request in requests:
+        rows.setdefault(request.scene, []).append(request)
+    for scene, own in sorted(rows.items(), key=lambda row: row[0]):
         plans.update(_Scene(room, face, scenes[min(scene, len(scenes) - 1)]).plan(own))
     return plans
+
+
+@dataclass(frozen=True, slots=True)
+class Owner:
+    """What has eyes or head when all is at rest, and will have them again when what covers it lets go."""
+
+    aim: Aim
+    manner: GazeManner
+    glance: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """A face's gaze at rest: what the eyes are at and where the head is turned, what has them, and whether that is one
+    and the same."""
+
+    aim: Aim
+    turned: Direction
+    eyes: Owner | None
+    head: Owner | None
+    one: bool
+
+
+def plan_on(
+    room: Room, face: Face, requests: Sequence[GazeRequest], rest: Rest | None
+) -> tuple[dict[Key, tuple[GazePlan, ...]], Rest, float]:
+    """The shifts of requests of one scene, that begin with `rest` (None: as every scene does), from 0 s on; what they
+    leave, and from when on that is at rest. Nothing that is looked at may move. Raises `TooMuchGaze`."""
+    scene = _Scene(room, face, 0.0, rest)
+    plans = scene.plan(requests)
+    return plans, scene.rest(), max(scene.shifter.eyes.still(), scene.shifter.head.still())
 
 
 def scan_stops(
@@ -126,9 +159,9 @@ class _Turn:
 class _Scene:
     """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift."""
 
-    def __init__(self, room: Room, face: Face, start: float) -> None:
+    def __init__(self, room: Room, face: Face, start: float, rest: Rest | None = None) -> None:
         self.room, self.face, self.start = room, face, start
-        self.shifter = Shifter(room, face, start)
+        self.shifter = Shifter(room, face, start, *((rest.aim, rest.turned) if rest else ()))
         self.eyes: dict[Key, GazeRequest] = {}
         self.head: dict[Key, GazeRequest] = {}
         self.aims: dict[Key, Aim] = {}
@@ -136,6 +169,25 @@ class _Scene:
         self.plans: dict[Key, list[GazePlan]] = {}
         self.changes: list[tuple[float, int, Key, GazeRequest]] = []
         self.turns: dict[Key, _Turn] = {}
+        if rest:
+            self._resume(rest)
+
+    def _resume(self, rest: Rest) -> None:
+        """Go on from a rest: what has eyes and head bears the keys of nothing that is done."""
+        for name, owner, parts in ((-1, rest.eyes, self.eyes), (-1 if rest.one else -2, rest.head, self.head)):
+            if owner is not None:
+                request = GazeRequest((name, 0), owner.aim, owner.manner, -inf, glance=owner.glance)
+                parts[request.key] = next((one for one in self.eyes.values() if one.key == request.key), request)
+                self.aims[request.key] = owner.aim
+
+    def rest(self) -> Rest:
+        """What is left when all is done and has let go."""
+        owners = self._owners()
+        eyes, head = (
+            Owner(self.aims[one.key], one.manner, one.glance) if one else None for one in (owners.eyes, owners.head)
+        )
+        one = owners.eyes is owners.head
+        return Rest(self.shifter.aim, self.shifter.head.goal(0.0), eyes, head, one)
 
     def plan(self, requests: Sequence[GazeRequest]) -> dict[Key, tuple[GazePlan, ...]]:
         self.changes = [(request.onset, BEGINS, request.key, request) for request in requests]

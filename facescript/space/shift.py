@@ -114,6 +114,10 @@ class Past:
                 yaw, pitch = yaw + gone * (goal[0] - yaw), pitch + gone * (goal[1] - pitch)
         return yaw, pitch
 
+    def still(self) -> float:
+        """When the last movement is over."""
+        return max(move.done for move in self.moves)
+
     def goal(self, time: float) -> Direction:
         """Where the part is bound for."""
         return self.moves[-1].goal(time)
@@ -162,11 +166,15 @@ class Wish:
 class Shifter:
     """Plans the shifts of one face in one scene, one after another in time."""
 
-    def __init__(self, room: Room, face: Face, start: float) -> None:
+    def __init__(
+        self, room: Room, face: Face, start: float, aim: Aim | None = None, turned: Direction | None = None
+    ) -> None:
+        """The eyes are at `aim` and the head is `turned` at first; None is as every scene begins."""
         self.room, self.face, self.start = room, face, start
         self._directions: dict[Aim, Goal] = {}
-        rest = self._direction(AtCamera())
-        ahead = head_goal(rest(0.0), self._usual(rest(0.0)))
+        self.aim: Aim = aim or AtCamera()
+        rest = self._direction(self.aim)
+        ahead = turned or head_goal(rest(0.0), self._usual(rest(0.0)))
         self.eyes = Past(Move(-inf, -inf, rest), saccade_part)
         self.head = Past(Move(-inf, -inf, lambda _: ahead), lambda part, _: minimum_jerk(part))
 
@@ -187,6 +195,7 @@ class Shifter:
         hindered = self.eyes.to_come(time)
         times = _times(time, wish, amplitude, turn, hindered)
         if eyes:
+            self.aim = wish.aim
             self.eyes.moves.append(Move(times.eye_onset, times.eye_done, target, cost))
         if head:
             first, done = turned(time), times.head_done
@@ -240,16 +249,17 @@ class Shifter:
         return known
 
     def _directed(self, aim: Aim) -> Goal:
+        if not self.room.moving(aim):
+            sight = self.room.sight(self.face.name, aim, 0.0)
+            still = within((sight.yaw, sight.pitch))
+            return lambda time: still
         followed = self.room.following(self.face.name, aim)
 
         def direction(time: float) -> Direction:
             sight = followed(time)
             return within((sight.yaw, sight.pitch))
 
-        if self.room.moving(aim):
-            return _once(direction)
-        still = direction(0.0)
-        return lambda time: still
+        return _once(direction)
 
     def _turned(self, target: Goal, share: Direction, start: Direction, moves: bool) -> Goal:
         """Where the head turns for a target, which may move."""

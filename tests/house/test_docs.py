@@ -19,7 +19,7 @@ from facescript.resolve.repeats import MOST_PASSES
 from facescript.resolve.tables import MOST_ROWS
 from facescript.resolve.targets import MOST_MEMBERS
 from facescript.resolve.texts import LONGEST
-from facescript.schedule.scheduler import MOST
+from facescript.schedule.means import MOST
 from facescript.speech.estimate import EstimatedVoice
 from facescript.syntax.lexer import LONGEST_LINE
 from facescript.text import Source
