@@ -32,7 +32,10 @@ addEventListener("error", (event) => wrong.push(String(event.message)));
 addEventListener("unhandledrejection", (event) => wrong.push(String(event.reason)));
 addEventListener("securitypolicyviolation", (event) => wrong.push(event.blockedURI + " " + event.violatedDirective));
 """
-READY = "window.facescript?.line.view.peaks.length && facescript.line.view.score.lines.length && facescript.line.fresh"
+READY = """
+window.facescript?.line.view.peaks.length && facescript.line.fresh
+  && facescript.line.view.score.lines.some(({text}) => text.includes("cup"))
+"""
 VIEW = "facescript.line.view"
 HEARD = f"import('/timeline/marks.js').then(({{heard}}) => heard({VIEW}).map(({{text}}) => text))"
 ALT, CTRL, SHIFT = 1, 2, 8
@@ -50,7 +53,7 @@ def browser(serving: Serving) -> Iterator[Page]:
     with Page("about:blank#", 1280, 800) as page:
         page.call("Page.addScriptToEvaluateOnNewDocument", source=WATCH)
         page.call("Page.navigate", url=serving.address)
-        until(page, READY)
+        until(page, READY, 60)
         page.run("for (const kind of ['would', 'refused']) facescript.link.on(kind, (each) => heard.push(each)), 0")
         yield page
         assert page.run("window.wrong") == []

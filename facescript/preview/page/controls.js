@@ -1,5 +1,6 @@
 // The player's buttons and keys.
 
+const OFTEN = 0.1;  // seconds of the film from one number to the next while it plays: each lays the page out anew
 const SPEEDS = [0.25, 0.5, 1, 1.5, 2];
 
 export function controls(time, place) {
@@ -25,7 +26,10 @@ export function controls(time, place) {
     if (act) event.preventDefault(), act();
   });
 
+  let last = -1;
   time.watch((now) => {
+    if (time.playing && Math.abs(now - last) < OFTEN) return;
+    last = now;
     if (!holding) slider.value = now;
     const text = `${now.toFixed(2)} / ${time.duration.toFixed(2)} s`;
     if (text !== shown) told.textContent = shown = text;
