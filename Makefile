@@ -17,13 +17,14 @@ demo: setup
 	$(BIN)/facescript build examples/evening.face -o evening.mp4 -o evening.svg
 	@echo "evening.mp4 is the film; open evening.svg in a browser for the same, drawn live"
 
+# A file of tests stays in one process: what its fixtures build is built once.
 test: setup
 	tests/chromium.sh
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
-	$(BIN)/python -m pytest -n 2 --dist loadgroup
+	$(BIN)/python -m pytest -n 2 --dist loadfile
 
 lint: setup
 	$(BIN)/ruff format .

@@ -25,8 +25,6 @@ from facescript.speech.timing.files import read_times
 from facescript.text import Source
 from facescript.world import World
 
-pytestmark = pytest.mark.xdist_group("captions")  # what its fixtures build is built once
-
 SCRIPT = """\
 film 320x180, 10fps, seed 3
 face ada = woman

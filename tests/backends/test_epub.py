@@ -16,8 +16,6 @@ from PIL import Image
 from facescript.backends.encoder import program
 from facescript.cli.main import main
 
-pytestmark = pytest.mark.xdist_group("epub")  # what its fixtures build is built once
-
 SCRIPT = """\
 film 320x240, seed 3, title "Two walks & a <lake>", author "Ada Stone"
 face ada = woman, voice en-us female

@@ -32,8 +32,6 @@ from facescript.speech.sound.mix import Soundtrack
 from facescript.text import Source, Span
 from facescript.world import World
 
-pytestmark = pytest.mark.xdist_group("film")  # what its fixtures build is built once
-
 SCRIPT = """\
 film 97x54, 20fps, seed 3
 background #dfe8f2

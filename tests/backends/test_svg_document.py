@@ -10,8 +10,6 @@ from lxml import etree
 
 from facescript.cli.main import main
 
-pytestmark = pytest.mark.xdist_group("svg_document")  # what its fixtures build is built once
-
 SVG = "{http://www.w3.org/2000/svg}"
 ELEMENTS = set(
     "svg title desc style defs g path rect use image clipPath linearGradient radialGradient stop animate "

@@ -12,8 +12,6 @@ from PIL import Image
 
 from facescript.cli.main import main
 
-pytestmark = pytest.mark.xdist_group("svg_valid")  # what its fixtures build is built once
-
 DTD = Path("/usr/share/xml/w3c-sgml-lib/schema/dtd/REC-SVG11-20110816/svg11.dtd")
 """From Debian's package w3c-sgml-lib."""
 

@@ -18,8 +18,6 @@ from facescript.backends.frames import CHUNK, film_planes, pictures, planes
 from facescript.backends.job import Job
 from facescript.backends.stills import write_png, write_pngs
 
-pytestmark = pytest.mark.xdist_group("transparent")  # what its fixtures build is built once
-
 SCRIPT = """\
 film 240x160, 10fps, seed 3
 background none

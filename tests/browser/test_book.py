@@ -11,8 +11,6 @@ from PIL import Image
 
 from facescript.cli.main import main
 
-pytestmark = pytest.mark.xdist_group("book")  # what its fixtures build is built once
-
 SCRIPT = """\
 film 160x120, 10fps, seed 3, title "Walks"
 face ada = woman

@@ -14,8 +14,6 @@ from test_svg import tiles
 
 from facescript.cli.main import main
 
-pytestmark = pytest.mark.xdist_group("page")  # what its fixtures build is built once
-
 EARLY, LATE = 0.015, 0.045
 TRIES = 3
 

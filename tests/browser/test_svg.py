@@ -14,8 +14,6 @@ from numpy.typing import NDArray
 from facescript.cli.main import main
 from facescript.diagnostics.catalogue import CATALOGUE
 
-pytestmark = pytest.mark.xdist_group("svg")  # what its fixtures build is built once
-
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TILE = 32
 EARLY, LATE = 0.015, 0.045

@@ -10,8 +10,6 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = pytest.mark.xdist_group("wheel")  # what its fixtures build is built once
-
 ROOT = Path(__file__).parents[2]
 
 

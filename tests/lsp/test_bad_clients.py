@@ -9,8 +9,6 @@ from typing import Any
 import pytest
 from _rough_client import RoughClient
 
-pytestmark = pytest.mark.xdist_group("bad clients")  # one server serves them all
-
 INVALID = -32602
 
 

@@ -17,10 +17,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
-pytestmark = [
-    pytest.mark.xdist_group("preview"),
-    pytest.mark.skipif(program() is None, reason="no Chromium on this machine"),
-]
+pytestmark = pytest.mark.skipif(program() is None, reason="no Chromium on this machine")
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = """\
@@ -300,6 +297,8 @@ def test_two_who_write_at_once_end_with_one_text(page: Page) -> None:
 
 
 def test_what_is_shared_is_one_page_with_the_script_in_it(page: Page, tmp_path: Path) -> None:
+    page.run(CHOOSE)
+    written(page, 'say "Hello."\n')
     begun(page)
     page.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(tmp_path))
     page.run("document.querySelector('[data-share]').click()")

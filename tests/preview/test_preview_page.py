@@ -10,10 +10,7 @@ import pytest
 from chromium import Page, program
 from serving import SCRIPT, Serving
 
-pytestmark = [
-    pytest.mark.xdist_group("preview"),
-    pytest.mark.skipif(program() is None, reason="no Chromium on this machine"),
-]
+pytestmark = pytest.mark.skipif(program() is None, reason="no Chromium on this machine")
 
 SPOKEN = SCRIPT.replace("life still", "life still\n    voice en-us").replace("wait 2s", 'say "Good evening."')
 

@@ -13,8 +13,6 @@ from serving import PARTS, SCRIPT, Message, Serving, said, until
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection
 
-pytestmark = pytest.mark.xdist_group("preview")
-
 CHUNKS = 5
 
 

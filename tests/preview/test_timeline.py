@@ -12,10 +12,7 @@ from accessible import faults
 from chromium import Page, program
 from serving import Serving
 
-pytestmark = [
-    pytest.mark.xdist_group("preview"),
-    pytest.mark.skipif(program() is None, reason="no Chromium on this machine"),
-]
+pytestmark = pytest.mark.skipif(program() is None, reason="no Chromium on this machine")
 
 SCRIPT = """\
 film 96x54, 30fps
