@@ -127,6 +127,7 @@ def quiet(page: Page) -> None:
 
 def test_what_is_written_is_helped_and_mended(page: Page) -> None:
     begun(page)
+    time.sleep(0.6)  # what is typed within half a second is taken back together
     page.call("Input.insertText", text="    ada: shoow smile")
     until(page, "document.querySelector('.cm-lintRange-error')")
     written(page, SCRIPT + "    ada: shoow smile")
