@@ -76,8 +76,8 @@ class Author:
 
 def rows() -> Iterator[Row]:
     for name, text in (("scenes", lines_of), ("one flat script", flat)):
-        yield _edits(f"an edit in 2,000 lines, {name}", text(2_000), 60, True, (25, 80))
-        yield _edits(f"an edit in 10,000 lines, {name}", text(10_000), 15, True, (None, 150))
+        yield _edits(f"an edit in 2,000 lines, {name}", text(2_000), 600, True, (25, 80))
+        yield _edits(f"an edit in 10,000 lines, {name}", text(10_000), 300, True, (None, 150))
         yield _edits(f"to the tree of 2,000 lines, {name}", text(2_000), 300, False, (5, 20))
         yield _edits(f"to the tree of 10,000 lines, {name}", text(10_000), 150, False, (None, 20))
         yield _resolves(f"from the tree to the play of 2,000 lines, {name}", text(2_000), 200, (10, 30))
