@@ -1,10 +1,10 @@
 """Keeps what the parts of a script that is edited come to, as long as all that they asked is answered as before.
 
-A part is a top-level statement, a scene, a reaction or a definition. It is kept by its node, which is the same object
-as long as its lines stay as they are (`syntax/pieces.py`). While a part is worked out its `Notes` are taken. In the
-next state of the script it is taken over if no table has another answer for a name that it asked for, and if the state
-of the work (what is told, counted and open) lets it come to the same. Then what it did to the project is done again.
-What a state of the script does not come to is let go.
+A part is a statement at the top or of a scene, a scene, a reaction or a definition. It is kept by its node, the same
+object as long as its lines stay as they are (`syntax/pieces.py`). While a part is worked out its `Notes` are taken. In
+the next state of the script it is taken over if no table has another answer for a name that it asked for, and if the
+state of the work (what is told, counted and open) lets it come to the same. Then what it did to the project is done
+again. What a state of the script does not come to is let go.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Kept:
     count before, count behind).
 
     `weight` and `words` are what it cost but for what it leans on; `faults` are told at most, `height` is how deep it
-    goes. `inner` are the parts of a run.
+    goes. `inner` are the parts inside it.
     """
 
     node: object
@@ -89,6 +89,7 @@ class Memory(Memo):
         self._kept: tuple[dict[Key, Kept], dict[Key, Kept]] = {}, {}
         self._followed: tuple[dict[Ids, Followed], dict[Ids, Followed]] = {}, {}
         self._used: tuple[dict[str, Pieces], dict[str, Pieces]] = {}, {}
+        self._depth = 0
 
     def begin(self, project: Project, script: Script) -> None:
         whole = project.world.root, script.source.name, *(each.node for each in project.names.library.values())
@@ -139,7 +140,8 @@ class Memory(Memo):
         found: list[U] = []
         for run in _runs(nodes):
             made = partial(self._run, project, kind, run, given, work, counts)
-            found += self._part(project, (kind, tuple(map(id, run))), run, given, made, counts)
+            take = self._inner if self._depth else self._part
+            found += take(project, (kind, tuple(map(id, run))), run, given, made, counts)
         return found
 
     def _run(
@@ -151,19 +153,23 @@ class Memory(Memo):
         work: Callable[[T], U],
         counts: dict[str, int],
     ) -> list[U]:
-        """Parts of a run, for whose notes the run's are taken."""
-        found = []
-        for node in run:
-            key, before, notes = (kind, id(node)), project.stood_for, project.notes
-            found.append(self._part(project, key, node, given, partial(work, node), counts))
-            known = self._kept[1].get(key)
-            if known is None:
-                notes.passing = True
-            else:
-                notes.parts.append(key)
-                notes.absorb(known.notes)
-                notes.inside += project.stood_for - before - known.words - known.notes.inside
-        return found
+        """Parts of a run."""
+        return [self._inner(project, (kind, id(node)), node, given, partial(work, node), counts) for node in run]
+
+    def _inner(
+        self, project: Project, key: Key, node: object, given: object, work: Callable[[], T], counts: dict[str, int]
+    ) -> T:
+        """A part inside another one, which takes its notes for its own."""
+        before, notes = project.stood_for, project.notes
+        value = self._part(project, key, node, given, work, counts)
+        known = self._kept[1].get(key)
+        if known is None:
+            notes.passing = True
+        else:
+            notes.parts.append(key)
+            notes.absorb(known.notes)
+            notes.inside += project.stood_for - before - known.words - known.notes.inside
+        return value
 
     def _part(
         self, project: Project, key: Key, node: object, given: object, work: Callable[[], T], counts: dict[str, int]
@@ -201,6 +207,7 @@ class Memory(Memo):
         self, project: Project, key: Key, node: object, given: object, work: Callable[[], T], counts: dict[str, int]
     ) -> T:
         before = _taken(project, counts)
+        self._depth += 1
         try:
             value = work()
         except Refused:
@@ -215,6 +222,7 @@ class Memory(Memo):
             before.used.update(project.names.used)
             project.notes, project.lines, project.names.used = before.notes, before.lines, before.used
             project.deepest = max(before.deepest, project.deepest)
+            self._depth -= 1
 
     def _made(
         self, project: Project, before: Before, node: object, given: object, value: Any, counts: dict[str, int]
@@ -235,8 +243,16 @@ class Memory(Memo):
             project.stood_for - before.words - notes.inside,
             len(notes.told) + sum(each.faults for each in leans if each is not None),
             project.deepest - project.depth,
-            {each: self._kept[1][each] for each in notes.parts if each in self._kept[1]},
+            self._within(notes.parts),
         )
+
+    def _within(self, keys: list[Key]) -> dict[Key, Kept]:
+        """Parts inside a part, and those inside them."""
+        found: dict[Key, Kept] = {}
+        for key in keys:
+            if (known := self._kept[1].get(key)) is not None:
+                found |= {key: known, **known.inner}
+        return found
 
     # -------------------------------------------------------------------------------------------- again
 

@@ -12,7 +12,7 @@ from facescript.resolve.blocks import statements
 from facescript.resolve.labels import gather, gather_all
 from facescript.resolve.place import Place, face_named
 from facescript.resolve.project import Project, Refused
-from facescript.resolve.scope import GLOBAL, Scope
+from facescript.resolve.scope import GLOBAL, Labels, Scope
 from facescript.resolve.texts import bare_text
 from facescript.syntax import tree
 from facescript.text import Span
@@ -36,8 +36,15 @@ def main_scene(project: Project, script: tree.Script) -> Scene:
     cast = tuple(project.faces)
     labels = gather_all(project, body)
     place = Place(Scope({}, labels), cast[0] if len(cast) == 1 else None, cast)
-    rows = project.memo.parts(project, "statement", body, cast, partial(_statement, project, place), labels.counts)
-    return Scene(MAIN, cast, Sequence(tuple(chain.from_iterable(rows)), whole, clock=True), whole)
+    return Scene(MAIN, cast, Sequence(_nodes(project, body, place, labels, cast), whole, clock=True), whole)
+
+
+def _nodes(
+    project: Project, body: tuple[tree.Statement, ...], place: Place, labels: Labels, given: tuple[object, ...]
+) -> tuple[Node, ...]:
+    """What statements come to, each by itself; `given` is what they all see besides the project's tables."""
+    rows = project.memo.parts(project, "statement", body, given, partial(_statement, project, place), labels.counts)
+    return tuple(chain.from_iterable(rows))
 
 
 def _statement(project: Project, place: Place, statement: tree.Statement) -> tuple[Node, ...]:
@@ -61,9 +68,10 @@ def scenes(project: Project, script: tree.Script, opening: Opening) -> list[Scen
 
 def _scene(project: Project, item: tree.Scene, opening: Opening) -> Scene:
     cast = _cast(project, item)
-    scope = Scope({}, gather(project, item.body, f"{item.name.text}."))
-    place = Place(scope, cast[0] if len(cast) == 1 else None, cast)
-    body = Sequence(statements(project, item.body, place), item.span, clock=True)
+    labels = gather(project, item.body, f"{item.name.text}.")
+    place = Place(Scope({}, labels), cast[0] if len(cast) == 1 else None, cast)
+    given = (*cast, labels.prefix, *labels.names)
+    body = Sequence(_nodes(project, item.body, place, labels, given), item.span, clock=True)
     title = bare_text(item.title) if item.title is not None else ""
     return Scene(item.name.text, cast, body, item.span, opening.background, opening.view, title)
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 from random import Random
 from tempfile import TemporaryDirectory
+from textwrap import indent
 from typing import Any
 
 import pytest
@@ -29,6 +31,11 @@ from facescript.world import World
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SCRIPTS = [*(path.read_text("utf-8") for path in sorted(EXAMPLES.glob("*.face"))), lines_of(60)]
+BLOCK = re.compile(r"^.*\n(?:[ \t].*\n|\n)*", re.MULTILINE)
+"""A line and what hangs under it."""
+
+DEFINERS = frozenset("action background event expression face film let scene target use view viseme when".split())
+
 SEEDS = st.integers(0, 2**32)
 LONGEST = 4_000
 TYPED = ("", "", "\n", " ", "   ", "\t", '"', ",\n", "+\n", "\n    nod\n", "nod\n", "  \n", "#! x\n", 'say "hm",\n')
@@ -97,7 +104,7 @@ def test_any_edits_are_compiled_as_a_fresh_compile_does(seed: int) -> None:
 @settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 def test_any_edits_of_names_and_files_are_resolved_as_a_fresh_compile_does(seed: int) -> None:
     chance, memory, pieces = Random(seed), Memory(), Pieces()
-    text = authored(chance)
+    text = chance.choice((str, in_scenes))(authored(chance))
     with TemporaryDirectory() as folder:
         world = World(Path(folder))
         for name in FILES:
@@ -179,9 +186,23 @@ def known(count: int, names: int) -> str:
     ],
 )
 def test_what_statements_hang_on(states: tuple[str, ...], tmp_path: Path) -> None:
-    memory, pieces, world = Memory(), Pieces(), World(tmp_path)
-    for text in (*states, *reversed(states), *states):
-        assert resolved(text, world, memory, pieces) == resolved(text, world)
+    world = World(tmp_path)
+    for form in (str, in_scenes):
+        memory, pieces = Memory(), Pieces()
+        for text in map(form, (*states, *reversed(states), *states)):
+            assert resolved(text, world, memory, pieces) == resolved(text, world)
+
+
+def in_scenes(text: str) -> str:
+    """A script with its statements in two scenes."""
+    defined, stated = "", ""
+    for block in BLOCK.findall(text):
+        if block.partition(" ")[0] in DEFINERS:
+            defined += block
+        else:
+            stated += indent(block, "    ")
+    scenes = "".join(f"scene {name}:\n{stated}" for name in ("one", "two")) if stated.strip() else ""
+    return defined + scenes
 
 
 def test_a_script_that_grows_too_large_and_shrinks_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -232,6 +253,10 @@ def test_what_hangs_on_nothing_that_changed_is_the_same_object(tmp_path: Path) -
     after = items(text.replace("nod\n", "nod 30%\nblink\n"))
     assert after[2] is before[1] and after[3] is before[2] and after[2].span.text == "show wry"
     assert items(text.replace("= smile", "= AU12"))[2] is after[3]
+    before = items(text := "action f(): nod\nscene a:\n    f\n    shake\nscene b:\n    f\n    blink\n")
+    after = items(text.replace("(): nod", "(): nod 20%"))
+    assert [scene.body.items[1] for scene in after] == [scene.body.items[1] for scene in before]
+    assert all(new.body.items[1] is old.body.items[1] for new, old in zip(after, before, strict=True))
     before = items(text := "scene a:\n    nod\nscene b:\n    shake\n")
     assert items(text.replace("nod", "nod 40%"))[1] is before[1] and before[1].span.text == "scene b:\n    shake"
 
