@@ -8,6 +8,7 @@ import tempfile
 import time
 from pathlib import Path
 
+from _frames import frame_rate
 from _measure import job_of, row
 from _scripts import talk
 
@@ -22,17 +23,7 @@ RUNS = 3
 SECONDS = 6
 BLANK = "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1280 720'/>"
 
-RATE = f"""
-new Promise(done => {{
-  let first, count = 0;
-  const look = now => {{
-    if (first === undefined) first = now;
-    if (now - first >= {SECONDS * 1000}) done(count * 1000 / (now - first));
-    else {{ count++; requestAnimationFrame(look); }}
-  }};
-  requestAnimationFrame(look);
-}})
-"""
+RATE = frame_rate(SECONDS)
 DRAWN = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))"
 
 

@@ -70,6 +70,13 @@ class Room:
                 self._untidied = 0
             self._untidied += size
 
+    def stamp(self) -> int:
+        """A number that is another once something is kept or removed; 0 where there is no usable folder."""
+        try:
+            return self._place().stat().st_mtime_ns
+        except OSError:
+            return 0
+
     def _opened(self, key: str) -> IO[bytes]:
         """The file of a key, marked as used now. Raises OSError, ValueError."""
         path = self._place() / key

@@ -96,6 +96,11 @@ def _edits(what: str, text: str, count: int, whole: bool, bars: tuple[float | No
         start = time.process_time()
         author.compile(whole)
         took.append((time.process_time() - start) * 1000)
+    return judged(what, took, bars)
+
+
+def judged(what: str, took: list[float], bars: tuple[float | None, float]) -> Row:
+    """Milliseconds beside the bars of their p50 (None: none) and p99."""
     half, most = statistics.median(took), sorted(took)[int(len(took) * 0.99)]
     met = most <= bars[1] and (bars[0] is None or half <= bars[0])
     bar = f"p99 {bars[1]} ms" if bars[0] is None else f"p50 {bars[0]} ms, p99 {bars[1]} ms"
@@ -112,7 +117,7 @@ def _memory() -> Row:
         if number == MANY // 10:
             before = _resident()
     grown = _resident() - before
-    return Row(f"memory after {MANY:,} edits", "does not grow", f"{grown:+.1f} MB", grown <= GROWN)
+    return Row(f"memory after {MANY:,} edits of 300 lines", "does not grow", f"{grown:+.1f} MB", grown <= GROWN)
 
 
 def _resident() -> float:
@@ -133,10 +138,7 @@ def _resolves(what: str, text: str, count: int, bars: tuple[float | None, float]
         start = time.process_time()
         _ = compiled.play
         took.append((time.process_time() - start) * 1000)
-    half, most = statistics.median(took), sorted(took)[int(len(took) * 0.99)]
-    met = most <= bars[1] and (bars[0] is None or half <= bars[0])
-    bar = f"p99 {bars[1]} ms" if bars[0] is None else f"p50 {bars[0]} ms, p99 {bars[1]} ms"
-    return Row(what, bar, f"p50 {half:.1f} ms, p99 {most:.1f} ms", met)
+    return judged(what, took, bars)
 
 
 def _schedules(what: str, text: str, count: int, bars: tuple[float | None, float]) -> Row:
@@ -152,7 +154,4 @@ def _schedules(what: str, text: str, count: int, bars: tuple[float | None, float
         _ = compiled.diagnostics
         if played:
             took.append((time.process_time() - start) * 1000)
-    half, most = statistics.median(took), sorted(took)[int(len(took) * 0.99)]
-    met = most <= bars[1] and (bars[0] is None or half <= bars[0])
-    bar = f"p99 {bars[1]} ms" if bars[0] is None else f"p50 {bars[0]} ms, p99 {bars[1]} ms"
-    return Row(what, bar, f"p50 {half:.1f} ms, p99 {most:.1f} ms", met)
+    return judged(what, took, bars)

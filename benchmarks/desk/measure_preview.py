@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+from _frames import frame_rate
 from _scripts import talk
 from row import Row
 
@@ -42,17 +43,7 @@ new Promise(done => {
 })
 """
 
-RATE = f"""
-new Promise(done => {{
-  let first, count = 0;
-  const look = now => {{
-    first ??= now;
-    if (now - first >= {SECONDS * 1000}) done(count * 1000 / (now - first));
-    else {{ count++; requestAnimationFrame(look); }}
-  }};
-  requestAnimationFrame(look);
-}})
-"""
+RATE = frame_rate(SECONDS)
 
 
 def rows() -> Iterator[Row]:

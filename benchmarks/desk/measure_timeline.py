@@ -11,6 +11,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+from _frames import frame_rate
 from row import Row
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "browser"))
@@ -48,17 +49,7 @@ window.facescript?.line.view.score?.acts.length >= {ACTS} && facescript.line.vie
 PATIENCE = 600
 """Seconds until all frames are drawn, so that nothing else is at work, at most."""
 
-RATE = f"""
-new Promise(done => {{
-  let first, count = 0;
-  const look = now => {{
-    first ??= now;
-    if (now - first >= {SECONDS * 1000}) done(count * 1000 / (now - first));
-    else {{ count++; requestAnimationFrame(look); }}
-  }};
-  requestAnimationFrame(look);
-}})
-"""
+RATE = frame_rate(SECONDS)
 
 ALWAYS = "window.on = true, (function again() {{ {what}; if (window.on) requestAnimationFrame(again); }})()"
 LINE = "facescript.line.surface"

@@ -80,6 +80,7 @@ class Desk:
         self._workspace = workspace
         self._made: dict[str, tuple[object, Analysis]] = {}
         self._compilers: dict[str, Recompiler] = {}
+        self._voices: dict[str, KnownTimes] = {}
 
     def analysis(self, uri: str) -> Analysis:
         """The document as it stands now."""
@@ -93,7 +94,8 @@ class Desk:
         while len(self._made) > KEPT:
             oldest = next(iter(self._made))
             del self._made[oldest]
-            self._compilers.pop(oldest, None)
+            for made_for in (self._compilers, self._voices):
+                made_for.pop(oldest, None)
         return found
 
     def worlds(self) -> list[OpenWorld]:
@@ -122,7 +124,13 @@ class Desk:
         world = OpenWorld(self.root(path), self._texts())
         source = Source(_name(world, path), _plain(document.source))
         compiler = self._compilers.setdefault(uri, Recompiler())
-        return Analysis(uri, document.version, world, compiler.compile(source, world, KnownTimes(world)))
+        return Analysis(uri, document.version, world, compiler.compile(source, world, self._voice(uri, world)))
+
+    def _voice(self, uri: str, world: World) -> KnownTimes:
+        """The voice of a document: the same as long as it says the same, for what is kept of its times rests on it."""
+        before = self._voices.get(uri)
+        voice = self._voices[uri] = KnownTimes(world) if before is None else before.turn_to(world)
+        return voice
 
     def root(self, path: Path) -> Path:
         """The folder of the project that a file belongs to."""

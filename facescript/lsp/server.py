@@ -6,6 +6,7 @@ is offered, or when it asks for one.
 
 from __future__ import annotations
 
+import gc
 import logging
 from collections.abc import Callable
 from importlib import import_module
@@ -21,6 +22,10 @@ from facescript.lsp.protocol import FaceProtocol, quiet_refusals
 
 if TYPE_CHECKING:
     from facescript.lsp.desk import Desk
+
+COLLECT = 10_000
+"""New objects between two looks for rubbish: many short looks, where a command of the program looks seldom and long (an
+edit must not wait for one)."""
 
 Handler = Callable[..., Any]
 F = TypeVar("F", bound=Handler)
@@ -88,6 +93,9 @@ class FaceServer(LanguageServer):
     def _load(self) -> None:
         for offer in OFFERED:
             self._handler(offer)
+        gc.collect()
+        gc.freeze()  # the compiler itself is never rubbish
+        gc.set_threshold(COLLECT)
 
 
 def make_server() -> FaceServer:

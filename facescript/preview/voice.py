@@ -66,7 +66,7 @@ class PatientVoice:
 
     @property
     def waiting(self) -> bool:
-        """Whether lines have estimated times for now."""
+        """Whether lines have estimated times still, and wait to be spoken."""
         return bool(self._waiting)
 
     def catch_up(self) -> None:

@@ -6,7 +6,7 @@ from facescript.ir.acts import Say
 from facescript.speech.estimate import EstimatedVoice
 from facescript.speech.model import Spoken
 from facescript.speech.voices.registry import open_engine
-from facescript.speech.voices.store import known
+from facescript.speech.voices.store import ROOM, known
 from facescript.world import World
 
 
@@ -15,6 +15,15 @@ class KnownTimes:
 
     def __init__(self, world: World) -> None:
         self._world, self._estimates = world, EstimatedVoice(world)
+        self._stamp = ROOM.stamp()
+
+    def turn_to(self, world: World) -> KnownTimes:
+        """Itself in another state of the project, where a line without a file has the same times as ever; another
+        voice once any line was spoken since."""
+        if ROOM.stamp() != self._stamp:
+            return KnownTimes(world)
+        self._world, self._estimates = world, EstimatedVoice(world)
+        return self
 
     def speak(self, line: Say) -> Spoken:
         estimate = self._estimates.speak(line)
