@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from hmac import compare_digest
 from http import HTTPStatus
 from pathlib import Path
 
@@ -26,7 +27,7 @@ KINDS = {
 }
 
 LIVE, HELP = "/live", "/lsp"
-"""Where the page's WebSockets are: of what it shows, and of its language server."""
+"""Where beneath the page its WebSockets are: of what it shows, and of its language server."""
 
 EDITOR = PAGE / "editor.js"
 """The editor, where `make playground` has built it."""
@@ -59,8 +60,11 @@ STRETCH = 4 * 1024 * 1024
 
 
 class Doors:
-    """The doors of a server at `port`; its sound and pages to share lie in `folder`. Who has the `key` may show the
-    page in another."""
+    """The doors of a server at `port`; its sound and pages to share lie in `folder`.
+
+    With a `key` all lies beneath it, and who knows it comes by any name and may show the page in another: an editor
+    that runs elsewhere reaches this machine through a host and a path of its own.
+    """
 
     def __init__(self, port: int, folder: Path, key: str = "") -> None:
         self._key = key
@@ -71,16 +75,24 @@ class Doors:
         if EDITOR.is_file():
             self._files["/editor.js"] = EDITOR
 
-    def stranger(self, request: Request) -> bool:
+    def way(self, request: Request) -> str | None:
+        """Where beneath the page a request goes; None for a stranger."""
+        if not self._key:
+            return None if self._stranger(request) else request.path
+        _, key, *rest = request.path.split("/", 2)
+        known = rest and compare_digest(key.encode(), self._key.encode())
+        return f"/{rest[0]}" if known else None
+
+    def _stranger(self, request: Request) -> bool:
         """Whether a request comes from a page of elsewhere, or by a name that is not this machine's own."""
         hosts, origins = request.headers.get_all("Host"), request.headers.get_all("Origin")
         if len(hosts) != 1 or hosts[0].lower() not in self._hosts:
             return True
         return any(origin.lower() not in {f"http://{host}" for host in self._hosts} for origin in origins)
 
-    def answer(self, request: Request) -> Response:
+    def answer(self, way: str, request: Request) -> Response:
         """The answer to a request that is for no WebSocket."""
-        path, _, asked = request.path.partition("?")
+        path = way.partition("?")[0]
         if path == "/drawing.js":
             return _found(DRAWING.read_bytes() + b"\nexport { drawing };\n", KINDS[".js"])
         if path == "/playground.json":
@@ -92,7 +104,7 @@ class Doors:
         if sound is not None:
             return self._sound(self._folder / sound[1], request)
         if self._key and path == "/":
-            return self._framed() if asked == f"key={self._key}" else refused(HTTPStatus.FORBIDDEN)
+            return self._framed()
         file = self._files.get("/index.html" if path == "/" else path)
         return refused(HTTPStatus.NOT_FOUND) if file is None else _found(file.read_bytes(), KINDS[file.suffix])
 

@@ -306,17 +306,19 @@ async def run(
         helpers = Helpers()
 
         def request(connection: ServerConnection, asked: Request) -> Response | None:
-            if doors[0].stranger(asked):
+            way = doors[0].way(asked)
+            if way is None:
                 return refused(HTTPStatus.FORBIDDEN)
-            if asked.path == HELP:
+            if way == HELP:
                 return None
-            if asked.path != LIVE:
-                return doors[0].answer(asked)
+            if way != LIVE:
+                return doors[0].answer(way, asked)
             return refused(HTTPStatus.SERVICE_UNAVAILABLE) if pages[0].full else None
 
         async def receive(connection: ServerConnection) -> None:
             assert connection.request is not None
-            await (helpers.help if connection.request.path == HELP else pages[0].receive)(connection)
+            helped = doors[0].way(connection.request) == HELP
+            await (helpers.help if helped else pages[0].receive)(connection)
 
         async with serve(
             receive,
@@ -334,7 +336,7 @@ async def run(
             doors.append(Doors(bound, folder, key))
             pages.append(Preview(paper, world, name, folder, editor))
             watching = asyncio.create_task(pages[0].watch())
-            told(f"http://{LOOPBACK}:{bound}/{f'?key={key}' if key else ''}")
+            told(f"http://{LOOPBACK}:{bound}/{f'{key}/' if key else ''}")
             try:
                 await _ended(pages[0], editor)
             finally:

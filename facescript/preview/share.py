@@ -54,7 +54,7 @@ class Sharing:
             return
         self._number += 1
         (self._folder / f"{self._number - 1}.html").unlink(missing_ok=True)
-        tell(text("shared", url=f"/shared/{target.name}"))
+        tell(text("shared", url=f"shared/{target.name}"))
 
 
 async def _made(root: Path, name: str, script: str, target: Path) -> str:

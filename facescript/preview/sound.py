@@ -47,7 +47,7 @@ class Sound:
         self._heard = heard
         self._number += 1
         (self._folder / self._name(self._number - 2)).unlink(missing_ok=True)
-        url = f"/sound/{name}" if peaks.any() else None
+        url = f"sound/{name}" if peaks.any() else None
         levels = np.minimum(np.rint(peaks / LOUDEST), 255).astype(int).tolist()
         yield text("sound", version=version, url=url, rate=PEAKS, peaks=levels)
 

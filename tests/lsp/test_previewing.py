@@ -34,7 +34,7 @@ async def command(client: LanguageClient, *arguments: Any) -> Any:
 
 @asynccontextmanager
 async def page(address: str) -> AsyncIterator[ClientConnection]:
-    live = address.partition("?")[0].replace("http", "ws") + "live"
+    live = address.replace("http", "ws") + "live"
     async with connect(live, max_size=None) as connection:
         yield connection
 

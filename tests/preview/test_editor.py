@@ -12,6 +12,8 @@ from io import BytesIO
 from pathlib import Path
 
 import pytest
+from websockets.asyncio.client import connect
+from websockets.typing import Origin
 
 from facescript.preview.borrowed import Borrowed
 from facescript.preview.editor import Editor, understood
@@ -33,12 +35,25 @@ def test_its_page_has_a_key_and_it_ends_with_its_editor(running: subprocess.Pope
     address = json.loads(running.stdout.readline())["url"]
     with urllib.request.urlopen(address) as answer:
         assert "frame-ancestors" not in answer.headers["Content-Security-Policy"]
-    for wrong in (address.partition("?")[0], f"{address}x"):
+    origin, key = address[:-1].rsplit("/", 1)
+    for wrong in ("", key, f"{key}x/", "app.js", "live"):
         with pytest.raises(urllib.error.HTTPError, match="403"):
-            urllib.request.urlopen(wrong)
+            urllib.request.urlopen(f"{origin}/{wrong}")
     running.stdin.close()
     assert running.wait(60) == 0
     running.stdout.close()
+
+
+@pytest.mark.asyncio
+async def test_an_editor_elsewhere_reaches_it_by_a_host_of_its_own(running: subprocess.Popen[bytes]) -> None:
+    assert running.stdout is not None
+    address = json.loads(running.stdout.readline())["url"]
+    elsewhere = {"Host": "desk.example"}
+    with urllib.request.urlopen(urllib.request.Request(address, headers=elsewhere)) as answer:
+        assert b"app.js" in answer.read()
+    live = address.replace("http", "ws") + "live"
+    async with connect(live, origin=Origin("https://desk.example"), additional_headers=elsewhere) as page:
+        assert json.loads(await page.recv())["kind"]
 
 
 def test_an_edit_is_asked_of_the_editor_for_the_text_that_it_sent() -> None:

@@ -44,9 +44,9 @@ async def test_one_at_a_time_and_the_last_one_stays(tmp_path: Path, monkeypatch:
     said = [json.loads(message) for message in told]
     assert [message.get("why") or message["url"] for message in said] == [
         "a page is being made already",
-        "/shared/1.html",
+        "shared/1.html",
         "it is too long",
-        "/shared/2.html",
+        "shared/2.html",
     ]
     assert not (tmp_path / "1.html").exists() and (tmp_path / "2.html").read_text() == "two"
 

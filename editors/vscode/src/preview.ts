@@ -60,12 +60,19 @@ async function show(script: vscode.Uri, address: string): Promise<void> {
   const name = script.toString();
   const panel = panels.get(name) ?? { view: opened(script), address: "" };
   if (panel.address !== address) {
-    const page = (await vscode.env.asExternalUri(vscode.Uri.parse(address, true))).toString(true);
-    panel.view.webview.html = framed(page, basename(script.fsPath));
+    panel.view.webview.html = framed(await reached(address), basename(script.fsPath));
     panel.address = address;
     panels.set(name, panel);
   }
   panel.view.reveal(undefined, true);
+}
+
+/** The address by which this window reaches a page of the machine where scripts are; not each window that is elsewhere
+ * keeps more of it than host and port. */
+async function reached(address: string): Promise<string> {
+  const { origin, pathname } = new URL(address);
+  const host = await vscode.env.asExternalUri(vscode.Uri.parse(`${origin}/`, true));
+  return host.toString(true).replace(/\/?$/, pathname);
 }
 
 function opened(script: vscode.Uri): vscode.WebviewPanel {

@@ -6,12 +6,12 @@ import { faults } from "./faults.js";
 import { figure } from "./figure.js";
 import { source } from "./source.js";
 import { Timeline } from "./timeline/timeline.js";
-import { wire } from "./wire.js";
+import { reached, wire } from "./wire.js";
 
 const AGAIN = 250;  // ms between two words to the server of where the playhead is
 
 const one = (id) => document.getElementById(id);
-const link = wire(`ws://${location.host}/live`);
+const link = wire(reached("live"));
 const time = clock(one("sound"));
 const picture = figure(link, one("face"), () => time.redraw());
 const jump = (from, to) => link.say("jump", { from, to });

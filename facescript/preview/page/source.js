@@ -2,6 +2,7 @@
 // editor; and in the playground examples to begin with.
 import { Shared } from "./edits.js";
 import { PlainEditor } from "./plain.js";
+import { reached } from "./wire.js";
 
 const PAUSE = 150;  // ms without a key until what was written is sent
 const SHORTEST = 0.15;  // s that what takes no time is lit
@@ -114,7 +115,7 @@ class Source {
 
   #help({ uri, root }) {
     this.#helped = uri;
-    this.editor.help?.(`ws://${location.host}/lsp`, uri, root, (state, why) => {
+    this.editor.help?.(reached("lsp"), uri, root, (state, why) => {
       this.#helps = state;
       if (state === "gone") this.#say(why ? `No help: ${why}` : "The language server is gone.");
     });

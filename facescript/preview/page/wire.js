@@ -2,6 +2,9 @@
 
 const QUICKEST = 250, SLOWEST = 4000;  // ms until it is tried again
 
+// The address of a WebSocket that lies beneath the page, whatever way the page was reached by.
+export const reached = (name) => new URL(name, location.href).href.replace(/^http/, "ws");
+
 // A wire: `on(kind, act)` calls `act` with each message of a kind, `say(kind, values)` sends one, which listeners on
 // "said KIND" hear too; `tell(kind, message)` tells listeners as if the server had said it, `drop()` lets go of the
 // socket; `state` is told of "connected" and "lost". A message with numbers has them as `numbers`, a Float32Array.
