@@ -160,7 +160,7 @@ class _Turn:
 class Planning:
     """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift.
 
-    Where a scene goes on, what was planned of the time before a moment stays as it is (`pass_to`), and what comes after it
+    Where a scene goes on, what was planned of the time before a moment stays as it is (`pass_to`), and what comes later
     is planned by a `fork`: of requests that have begun it only counts when they let go.
     """
 
