@@ -55,7 +55,7 @@ class Worn:
             end = deed.release + (self.act.verb.timing.back or 0.0)  # type: ignore[union-attr,operator]
         elif plan:
             end = gone(plan, deed.release)
-        return replace(self.act, plan=plan, drops=drops, released=deed.release, end=end)
+        return replace(self.act, scene=0, plan=plan, drops=drops, released=deed.release, end=end)
 
 
 def worn(deed: Deed, act: TimedAct, key: Key, reaction: int | None) -> Worn:
