@@ -56,7 +56,7 @@ class Gaze:
     def _requests(self, deed: Deed, scene: int, start: float) -> list[GazeRequest]:
         verb, people, persons = deed.verb, self.presence.people(deed.start), deed.root.persons
         if isinstance(verb, Scan):
-            return self._stops(deed, verb, scene, deed.start - start)
+            return self._stops(deed, verb, scene, start)
         assert isinstance(verb, (Look, Glance))
         over = None if verb.timing.over is None else seconds(verb.timing.over)
         glance = isinstance(verb, Glance)
@@ -64,11 +64,12 @@ class Gaze:
         whole = (deed.start, deed.release, over, scene, glance, persons, people, place)
         return [GazeRequest((deed.order, 0), verb.aim, verb.manner, *whole)]
 
-    def _stops(self, deed: Deed, scan: Scan, scene: int, clock: float) -> list[GazeRequest]:
+    def _stops(self, deed: Deed, scan: Scan, scene: int, start: float) -> list[GazeRequest]:
         """A request for each stop that begins before the scan lets go; they let go together, at its end."""
         assert deed.face is not None
         people, place = self.presence.people(deed.start), deed.step.place()
-        aims = scan_stops(self.presence.room, self.faces[deed.face], scan, clock, self.seed, people, place)
+        room, clock = self.presence.room.of(start), deed.start - start
+        aims = scan_stops(room, self.faces[deed.face], scan, clock, self.seed, people, place)
         starts = accumulate(dwells(scan, len(aims), self.seed, place), initial=deed.start)
         return [
             GazeRequest((deed.order, number), aim, scan.manner, start, deed.release, None, scene, False)

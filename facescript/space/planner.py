@@ -160,8 +160,9 @@ class _Scene:
     """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift."""
 
     def __init__(self, room: Room, face: Face, start: float, rest: Rest | None = None) -> None:
-        self.room, self.face, self.start = room, face, start
-        self.shifter = Shifter(room, face, start, *((rest.aim, rest.turned) if rest else ()))
+        self.whole, self.room, self.face, self.start = room, room.of(start), face, start
+        self.room.turn_to(0.0)
+        self.shifter = Shifter(self.room, face, start, *((rest.aim, rest.turned) if rest else ()))
         self.eyes: dict[Key, GazeRequest] = {}
         self.head: dict[Key, GazeRequest] = {}
         self.aims: dict[Key, Aim] = {}
@@ -195,15 +196,16 @@ class _Scene:
         heapify(self.changes)
         while self.changes:
             time, what, _, request = heappop(self.changes)
+            self.room.turn_to(time - self.start)
             if what == TURNS:
                 self._turn(time, request)
             elif what == RELEASES:
                 self._let_go(time, request)
             else:
                 self._begin(time, request)
-            if self.shifter.worked > self.room.left:
+            if self.shifter.worked > self.whole.left:
                 raise TooMuchGaze
-        self.room.left -= self.shifter.worked
+        self.whole.left -= self.shifter.worked
         self._judge("eyes", inf)
         self._judge("head", inf)
         return {key: tuple(plans) for key, plans in self.plans.items()}
