@@ -13,9 +13,6 @@ from math import exp, inf
 
 from facescript.ir.values import Point
 
-RATE = 16.0
-"""How fast a leg goes over to what is known now (a pole of the third order), 1/s: within 0.2 s."""
-
 STOPPING = 0.3
 """How long the path takes to come to rest where nothing new is learned, s."""
 
@@ -36,13 +33,15 @@ _NOWHERE: Triple = (0.0, 0.0, 0.0)
 @dataclass(frozen=True, slots=True)
 class Fix:
     """What is known of a person: where she was at a `time` (s of the film), cm, and how fast, cm/s. She is taken to go
-    on so for `runs` seconds, then to stop; and is lost at `lost`, where no more is learned by then."""
+    on so for `runs` seconds, then to stop; and is lost at `lost`, where no more is learned by then. A path goes over to
+    it at a `rate` (a pole of the third order, 1/s)."""
 
     time: float
     place: Triple
     speed: Triple
     runs: float
     lost: float
+    rate: float = 16.0
 
     def after(self, time: float) -> Triple:
         """How long (s) she has gone on at a time, how fast (as a part of her speed), and how that changes (1/s)."""
@@ -57,7 +56,7 @@ class Fix:
 @dataclass(frozen=True, slots=True)
 class Leg:
     """The path from a time `since` on, if nothing more is learned: what is known (`fix`), and what is still left of the
-    way over to it, an axis a row: (a + b s + c s^2) exp(-RATE s) after s seconds."""
+    way over to it, an axis a row: (a + b s + c s^2) exp(-rate s) after s seconds."""
 
     since: float
     fix: Fix
@@ -67,7 +66,7 @@ class Leg:
         time = min(time, self.fix.lost)
         gone, _, _ = self.fix.after(time)
         s = time - self.since
-        decay = exp(-RATE * s)
+        decay = exp(-self.fix.rate * s)
         (x, y, z), (u, v, w) = self.fix.place, self.fix.speed
         (a, b, c), (d, e, f), (g, h, i) = self.left
         return Point(
@@ -82,30 +81,28 @@ class Leg:
         ahead, ahead_part, ahead_change = fix.after(since)
         rows = []
         for axis in range(3):
-            place, speed, pull = _fading(self.left[axis], since - self.since)
+            place, drift, pull = _fading(self.left[axis], since - self.since, self.fix.rate)
             off = place + self.fix.place[axis] + self.fix.speed[axis] * gone
-            rate = speed + self.fix.speed[axis] * part
+            speed = drift + self.fix.speed[axis] * part
             bend = pull + self.fix.speed[axis] * change
             known = fix.place[axis] + fix.speed[axis] * ahead
-            rows.append(_left(off - known, rate - fix.speed[axis] * ahead_part, bend - fix.speed[axis] * ahead_change))
+            speed -= fix.speed[axis] * ahead_part
+            rows.append(_left(off - known, speed, bend - fix.speed[axis] * ahead_change, fix.rate))
         return Leg(since, fix, (rows[0], rows[1], rows[2]))
 
 
-def _left(off: float, rate: float, bend: float) -> Triple:
+def _left(off: float, speed: float, bend: float, rate: float) -> Triple:
     """What fades from a place that is `off`, and from a speed and an acceleration."""
-    b = rate + RATE * off
-    return off, b, (bend + 2.0 * RATE * b - RATE * RATE * off) / 2.0
+    b = speed + rate * off
+    return off, b, (bend + 2.0 * rate * b - rate * rate * off) / 2.0
 
 
-def _fading(left: Triple, s: float) -> Triple:
+def _fading(left: Triple, s: float, rate: float) -> Triple:
     """Place, speed and acceleration of what fades, after s seconds."""
     a, b, c = left
-    decay, value, slope = exp(-RATE * s), a + s * (b + s * c), b + 2.0 * s * c
-    return (
-        value * decay,
-        (slope - RATE * value) * decay,
-        (2.0 * c - 2.0 * RATE * slope + RATE * RATE * value) * decay,
-    )
+    decay, value, slope = exp(-rate * s), a + s * (b + s * c), b + 2.0 * s * c
+    speed = slope - rate * value
+    return value * decay, speed * decay, (2.0 * c - 2.0 * rate * slope + rate * rate * value) * decay
 
 
 class Trail:

@@ -14,19 +14,23 @@ from math import exp, hypot, log, sqrt
 
 Triple = tuple[float, float, float]
 
-TREMBLE = 0.005
-"""How far off a sighting is from side to side, as a part of the distance (standard deviation): 0.3 degrees."""
+TREMBLE, COARSEST = 0.003, 0.03
+"""How far off sightings are from side to side at first, as a part of the distance (standard deviation), and at most:
+0.17 and 1.7 degrees. How far they are, they show."""
 
-FINEST = 0.1
+FINEST = 0.05
 """A sighting is off by so much at least, cm."""
 
-STANDING, MOVING = 60.0, 6000.0
+LEARNING = 1.0
+"""For so long it counts how far off sightings were, s."""
+
+STANDING, MOVING = 10.0, 6000.0
 """How much a person speeds up, cm^2/s^3: one who stands or goes evenly, and one who does not."""
 
-MEMORY = 0.15
+MEMORY = 0.2
 """For so long it counts how far she was from where she was expected, s."""
 
-CALM, STIRRED = 1.0, 4.0
+CALM, STIRRED = 3.0, 9.0
 """How far that is on average, as a share of what trembling makes of it (square), below and above which she is taken to
 go evenly, or to do something new."""
 
@@ -57,6 +61,9 @@ class Estimate:
     _doubt: Triple | None = None
     _off: tuple[float, float] = (0.0, 0.0)
     _spread: Triple = (0.0, 0.0, 0.0)
+    _noise: float = 0.0
+    _last: tuple[float, Triple] = (0.0, (0.0, 0.0, 0.0))
+    _before: tuple[float, Triple] | None = None
 
     def __post_init__(self) -> None:
         self._begin(self.time, self.place)
@@ -78,18 +85,26 @@ class Estimate:
     def _begin(self, time: float, place: Triple) -> None:
         self.time, self.place, self.speed = time, place, (0.0, 0.0, 0.0)
         self._doubt, self._off = None, (0.0, 0.0)
-        self._spread = (self._noise(place), 0.0, FIRST_SPEED * FIRST_SPEED)
+        self._noise = self._noise or (TREMBLE * place[2]) ** 2
+        self._last, self._before = (time, place), None
+        self._spread = (self._noise, 0.0, FIRST_SPEED * FIRST_SPEED)
 
-    @staticmethod
-    def _noise(place: Triple) -> float:
-        """The variance of a sighting, cm^2."""
-        off = max(FINEST, TREMBLE * abs(place[2]))
-        return off * off
+    def _tremble(self, time: float, place: Triple) -> None:
+        """Learn how far off sightings are: by how much the one before was beside the line between its neighbours."""
+        if self._before is not None:
+            (first, one), (middle, other) = self._before, self._last
+            u = (middle - first) / (time - first)
+            beside = [other[axis] - one[axis] - u * (place[axis] - one[axis]) for axis in (0, 1)]
+            found = (beside[0] ** 2 + beside[1] ** 2) / (2.0 * (1.0 + u * u + (1.0 - u) ** 2))
+            kept = exp((middle - time) / LEARNING)
+            most = (COARSEST * place[2]) ** 2
+            self._noise = max(FINEST * FINEST, kept * self._noise + (1.0 - kept) * min(found, most))
+        self._before, self._last = self._last, (time, place)
 
     def _correct(self, step: float, time: float, place: Triple) -> bool:
         expected = tuple(x + u * step for x, u in zip(self.place, self.speed, strict=True))
         new = tuple(x - y for x, y in zip(place, expected, strict=True))
-        noise = self._noise(place)
+        noise = self._noise
         a, b, c = self._ahead(step)
         deviation = sqrt(a + noise)
         far = hypot(new[0], new[1])
@@ -102,6 +117,7 @@ class Estimate:
             self._begin(time, place)
             return True
         self._doubt = None
+        self._tremble(time, place)
         self._note(step, new, deviation)
         k, m = a / (a + noise), b / (a + noise)
         x, y, z = (value + k * off for value, off in zip(expected, new, strict=True))
@@ -117,14 +133,14 @@ class Estimate:
     def _ahead(self, step: float) -> Triple:
         """The spread of place and speed a step later: variances of both and what they share."""
         a, b, c = self._spread
-        q = self._stir()
+        q = STANDING * exp(self.stirred * log(MOVING / STANDING))
         return a + step * (2 * b + step * c) + q * step**3 / 3, b + step * c + q * step * step / 2, c + q * step
 
-    def _stir(self) -> float:
-        """How much she is taken to speed up."""
+    @property
+    def stirred(self) -> float:
+        """Whether she does something new, 0..1."""
         share = (self._off[0] ** 2 + self._off[1] ** 2 - CALM) / (STIRRED - CALM)
-        share = min(1.0, max(0.0, share))
-        return STANDING * exp(share * log(MOVING / STANDING))
+        return min(1.0, max(0.0, share))
 
     def _note(self, step: float, new: tuple[float, ...], deviation: float) -> None:
         """Note how far off a sighting is, as a share of what trembling alone leaves of many."""

@@ -14,6 +14,10 @@ from facescript.space.trail import Fix
 RUNS_ON = 0.2
 """A person who is not seen again is taken to go on for so long, s, then she stops; longer where she is seen seldom."""
 
+CALM_RATE, QUICK_RATE = 8.0, 24.0
+"""How fast a path goes over to what is known of one who stands or goes evenly, and of one who does something new,
+1/s."""
+
 MOST_RUN = 1.0
 """But for no longer than that, s."""
 
@@ -85,12 +89,13 @@ class Persons:
     @staticmethod
     def _fix(estimate: Estimate, now: float) -> Fix:
         """What is known now: how long she goes on so, and when she is lost."""
+        rate = CALM_RATE + estimate.stirred * (QUICK_RATE - CALM_RATE)
         if estimate.between is None:
-            return Fix(estimate.time, estimate.place, estimate.speed, RUNS_ON, inf)
+            return Fix(estimate.time, estimate.place, estimate.speed, RUNS_ON, inf, rate)
         old = now - estimate.time
         runs = min(MOST_RUN, max(RUNS_ON, old + 1.5 * estimate.between))
         lost = max(estimate.time + max(PATIENCE, ROUNDS * estimate.between), now + NOTICED)
-        return Fix(estimate.time, estimate.place, estimate.speed, runs, lost)
+        return Fix(estimate.time, estimate.place, estimate.speed, runs, lost, rate)
 
     def leave(self, person: str) -> None:
         """Somebody is not there any more: she is lost, where she is not yet."""
