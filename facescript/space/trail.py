@@ -151,11 +151,11 @@ class Trail:
         return next((gap for gap in reversed(self.gaps()) if gap[0] <= time < gap[1]), None)
 
     def gaps(self) -> list[tuple[float, float]]:
-        """The stretches in which she is lost, in time; the last one may be to come."""
+        """The stretches in which she is lost, in time, as far as they have come."""
         if not self.legs:
             return [(-inf, inf)]
         lost = self.legs[-1].fix.lost
-        return [*self._gaps, (lost, inf)] if lost < inf else self._gaps
+        return [*self._gaps, (lost, inf)] if lost <= self.final else self._gaps
 
     def _index(self, time: float) -> int:
         return max(0, bisect_right(self._since, time) - 1)
