@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from math import hypot, inf
 from typing import NamedTuple
@@ -57,16 +57,16 @@ class Room:
     """A film's faces and targets. Times are seconds of the scene's own clock. `left` is how many movements
     may still be worked out for the plans of gaze made in it.
 
-    Persons who are seen live move by the film's time: `scene` is when the scene starts, and of what came after `now` (s
-    of the clock) nothing is known of them."""
+    In a `live` room persons come in whom no script knows of (`targets`). They move by the film's time: `scene` is when
+    the scene starts, and of what came after `now` (s of the clock) nothing is known of them."""
 
     def __init__(self, film: Film, faces: Sequence[Face], targets: Sequence[Target]) -> None:
         self.film = film
         self.layout = lay_out(film, faces)
-        self.targets: Mapping[str, Target] = {target.name: target for target in targets}
+        self.targets: dict[str, Target] = {target.name: target for target in targets}
         self.left = inf
         self.scene, self.now = 0.0, inf
-        self._live = any(isinstance(target, LiveTarget) for target in targets)
+        self.live = any(isinstance(target, LiveTarget) for target in targets)
         self._eyes: dict[str, tuple[float, float]] = {}
         self._still: dict[tuple[str, Aim], Sight] = {}
         self._paths: dict[str, Path | Whereabouts] = {}
@@ -75,7 +75,7 @@ class Room:
 
     def of(self, scene: float) -> Room:
         """The same room for a scene that starts at `scene` s of the film."""
-        if not self._live:
+        if not self.live:
             return self
         room = copy(self)
         room.scene, room._paths, room._sightings = scene, {}, {}
@@ -83,7 +83,7 @@ class Room:
 
     def turn_to(self, now: float) -> None:
         """Know no more of those who are seen live than was known at a time."""
-        if not self._live:
+        if not self.live:
             return
         self.now = now
         for path in self._paths.values():
@@ -180,7 +180,7 @@ class Room:
         if target is None:
             return None
         known = self._sightings.get((face, target.name))
-        if known is None:
+        if known is None or known.path is not self._path(target):
             known = self._sightings[face, target.name] = self._watched(face, self._path(target))
         return known
 
@@ -218,7 +218,7 @@ class Room:
 
     def _path(self, target: MovingTarget) -> Path | Whereabouts:
         known = self._paths.get(target.name)
-        if known is None:
+        if known is None or (isinstance(target, LiveTarget) and not isinstance(known, Whereabouts)):
             known = self._paths[target.name] = self._made(target)
         return known
 

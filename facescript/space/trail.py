@@ -17,10 +17,10 @@ STOPPING = 0.3
 """How long the path takes to come to rest where nothing new is learned, s."""
 
 KEPT = 60.0
-"""So long is every leg kept, s; older ones only where a plan of gaze was made by them."""
+"""So long are legs kept, s: those that plans of gaze were made by may be asked for again."""
 
-MOST_KEPT = 4096
-"""As many legs are kept for plans."""
+MOST_GAPS = 4096
+"""As many stretches in which she was lost are kept."""
 
 UNKNOWN = Point(0.0, 0.0, 60.0)
 """Where one is whom nobody has seen; gaze waits for her elsewhere."""
@@ -118,7 +118,6 @@ class Trail:
         self.final = -inf
         self.learned = 0
         self._since: list[float] = []
-        self._planned: set[float] = set()
         self._gaps: list[tuple[float, float]] = []
 
     def learn(self, time: float, fix: Fix, jump: bool = False) -> None:
@@ -142,8 +141,6 @@ class Trail:
         if not self.legs or known < self._since[0]:
             return UNKNOWN
         leg = self.legs[self._index(min(time, known))]
-        if known < inf:
-            self._planned.add(leg.since)
         return leg.at(max(time, leg.since))
 
     def gap(self, time: float) -> tuple[float, float] | None:
@@ -174,10 +171,6 @@ class Trail:
             self._forget(leg.since - KEPT)
 
     def _forget(self, before: float) -> None:
-        """Forget the legs before a time but those by which plans were made."""
         first = self._index(before)
-        planned = [leg for leg in self.legs[:first] if leg.since in self._planned][-MOST_KEPT:]
-        self.legs = planned + self.legs[first:]
-        self._since = [leg.since for leg in self.legs]
-        self._planned.intersection_update(self._since)
-        self._gaps = self._gaps[-MOST_KEPT:]
+        self.legs, self._since = self.legs[first:], self._since[first:]
+        self._gaps = self._gaps[-MOST_GAPS:]

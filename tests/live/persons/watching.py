@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from facescript.ir.values import AtCamera, AtTarget, Point
 from facescript.live.model import Sighting
+from facescript.live.persons.ahead import next_shift
 from facescript.live.persons.persons import Persons
 from facescript.motion.gaze.track import GazeTrack, eyes, midline
 from facescript.space.planner import GazeRequest
@@ -24,9 +25,6 @@ Truth = Callable[[float], tuple[float, float] | None]
 
 EYES = Room(film(), [face()], []).point("ada", AtCamera(), 0.0).y
 FPS = 60.0
-BLOCK = 6
-"""So many frames are worked out at once."""
-
 VISITOR = "person 1"
 
 
@@ -74,37 +72,39 @@ class Watched:
 
 
 class Watcher:
-    """One face and those it sees. `requests` are its looks, at persons by their names."""
+    """One face and the `people` that it sees. `requests` are its looks, at persons by their names."""
 
-    def __init__(self, requests: Sequence[GazeRequest] | None = None) -> None:
+    def __init__(self, requests: Sequence[GazeRequest] | None = None, people: Sequence[str] = (VISITOR,)) -> None:
         self.persons = Persons()
+        for person in people:
+            self.persons.target(person)
         self.requests = [request(0, AtTarget(VISITOR), 1.0)] if requests is None else requests
-        self._version = -1
-        self._track: GazeTrack | None = None
+        self._version, self._next = -1, 0.0
+        self._track: GazeTrack
 
-    def frames(self, told: Sequence[tuple[float, Sighting]], seconds: float, first: int = 0) -> Iterator[Floats]:
-        """Each frame's row: time, gaze, pitch, head."""
+    def frames(self, told: Sequence[tuple[float, Sighting]], seconds: float, fps: float = FPS) -> Iterator[Floats]:
+        """Each frame's row: time, gaze, pitch, head. So many frames are worked out at once as last a tenth of a second
+        at most, for that is how far ahead following is certain."""
         waiting = list(told)[::-1]
         block: list[Floats] = []
-        for number in range(first, int(seconds * FPS)):
-            time = number / FPS
+        ahead = max(1, int(fps / 10.0))
+        for number in range(int(seconds * fps)):
+            time = number / fps
             while waiting and waiting[-1][0] <= time:
                 self.persons.see(waiting.pop()[1])
             self.persons.pass_to(time)
-            if self._track is None or self._version != self.persons.version or self._due(time):
-                self._version, self._track, block = self.persons.version, self.track(time), []
+            if self._version != self.persons.version or self._next <= time:
+                self._plan(time)
+                block = []
             if not block:
-                block = list(looked(self._track, np.arange(number, number + BLOCK) / FPS))[::-1]
+                block = list(looked(self._track, np.arange(number, number + ahead) / fps))[::-1]
             yield block.pop()
 
-    def _due(self, time: float) -> bool:
-        """Whether a look begins with this frame: it is planned by what is known now."""
-        return any(time - 1.0 / FPS < one.onset <= time for one in self.requests)
-
-    def track(self, time: float = np.inf) -> GazeTrack:
-        """The gaze by all that is known now, of the looks that have begun."""
-        begun = [one for one in self.requests if one.onset <= time]
-        return GazeTrack(score(self.persons.targets, begun, face(), film(), 1e6), face())
+    def _plan(self, time: float) -> None:
+        """Plan all looks by what is known now; those at persons once more when they begin."""
+        known = score(self.persons.targets, self.requests, face(), film(), 1e6)
+        self._version, self._next = self.persons.version, next_shift(known, time)
+        self._track = GazeTrack(known, face())
 
     def afresh(self) -> GazeTrack:
         """The same, of those who have never been followed."""
