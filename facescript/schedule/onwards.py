@@ -37,7 +37,7 @@ from facescript.speech.model import VoiceBox
 STATEMENTS = 200_000
 """Statements that one solution may come to."""
 
-ROUNDS = 12
+ROUNDS = 60
 """So many rounds of solving at most: what is known after them is taken as it is, for the face goes on."""
 
 BEYOND = 10.0
