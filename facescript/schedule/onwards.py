@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from facescript.ir.acts import Glance, Look, Say, Scan
 from facescript.ir.play import Play
+from facescript.ir.values import AtTarget
 from facescript.schedule.deeds import Deed, Sounding
 from facescript.schedule.drops import Key as Term
 from facescript.schedule.drops import take_off
@@ -29,6 +30,7 @@ from facescript.schedule.steps import DONE, NEVER, Key, Maker, Past, Root
 from facescript.schedule.voices import Voices
 from facescript.schedule.worn import Worn, still_worn, worn
 from facescript.schedule.writing import Writing
+from facescript.space.live import LiveTarget
 from facescript.space.plan import GazePlan
 from facescript.space.planner import GazeRequest, Planning, plan_gaze
 from facescript.space.room import Room
@@ -93,6 +95,7 @@ class Onwards:
     def __init__(self, play: Play, voice: VoiceBox) -> None:
         self.play = replace(play, film=replace(play.film, long=None), events=())
         self.room = Room(self.play.film, play.faces, play.targets)
+        self.room.live, self._own = True, play.targets
         self._means = Means(self.play, voice, self.room)
         self.voices = Voices(voice, self._means.spoken)
         self.faults = Faults()
@@ -106,6 +109,24 @@ class Onwards:
         self._lines: list[TimedLine] = []
         self._gazes: dict[str, Planning] = {}
         self._outlook: Outlook | None = None
+
+    def meet(self, persons: Iterable[LiveTarget]) -> None:
+        """Have persons in the room; one whom the script names too takes the place of that target."""
+        self.room.targets.update((person.name, person) for person in persons)
+        self.play = replace(self.play, targets=tuple(self.room.targets.values()))
+
+    def part(self, persons: Iterable[str]) -> None:
+        """Have persons in the room no more."""
+        for person in persons:
+            self.room.targets.pop(person, None)
+            self.room.targets.update((own.name, own) for own in self._own if own.name == person)
+        self.play = replace(self.play, targets=tuple(self.room.targets.values()))
+
+    @property
+    def looked_at(self) -> set[str]:
+        """The targets that gaze may go back to."""
+        aims = (aim for planning in self._gazes.values() for aim in planning.aims.values())
+        return {aim.name for aim in aims if isinstance(aim, AtTarget)}
 
     def heed(self, event: Happening) -> bool:
         """An event, at a time that is not before that of the last one; whether any reaction waits for it."""
