@@ -55,10 +55,11 @@ def _resumed(life: Living, starts: Iterable[float]) -> Iterator[float]:
     if known is not None:
         yield known
     for start in starts:
+        if start < life.since:
+            continue
         if memory is not None:
             memory.note(life.dice, "reading", start, start)
-        if known is None or start > known:
-            yield start
+        yield start
 
 
 def _ended(found: Iterable[Fixation], moments: Sequence[float]) -> Iterator[Fixation]:
