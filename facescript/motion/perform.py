@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from facescript.ir.play import Face
+from facescript.motion.blend import giving_way
 from facescript.motion.compose import Asked, compose, head_pose
 from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Floats, rows
@@ -23,6 +24,7 @@ from facescript.schedule.score import Score, TimedScene
 from facescript.speech.mouth.own import table_of
 
 _PLACE = rows(("head.x", "head.y"))
+_TURNS = rows(f"head.{axis}" for axis in ("yaw", "pitch", "roll"))
 
 
 def perform(score: Score) -> Performance:
@@ -88,6 +90,8 @@ class FaceMotion:
                 gestures[:, window] = scene.gestures.at(times[window])
                 life[:, window] = scene.lives.at(times[window])
         sight, head = self.gaze.sight(times), self.gaze.head(times)
+        if gestures[_TURNS].any():
+            gestures[_TURNS] = giving_way(gestures[_TURNS], self.gaze.turning(times, head))
         return Asked(expression, gestures, life, sight, head, *self.mouth.sample(times))
 
 
