@@ -40,7 +40,7 @@ class Gaze:
         for deed in deeds:
             if isinstance(deed.verb, (Look, Glance, Scan)) and deed.face is not None:
                 scene = scene_at(scenes, deed)
-                requests.setdefault(deed.face, []).extend(self._requests(deed, scene, scenes[scene]))
+                requests.setdefault(deed.face, []).extend(self.requests(deed, scene, scenes[scene]))
         plans: dict[int, tuple[GazePlan, ...]] = {}
         for name, asked in requests.items():
             if self.rests is None:
@@ -53,7 +53,8 @@ class Gaze:
                 plans[order] = (*plans.get(order, ()), *planned[order, stop])
         return plans
 
-    def _requests(self, deed: Deed, scene: int, start: float) -> list[GazeRequest]:
+    def requests(self, deed: Deed, scene: int, start: float) -> list[GazeRequest]:
+        """What a deed of a scene that starts then asks of eyes and head; their keys are its order and their numbers."""
         verb, people, persons = deed.verb, self.presence.people(deed.start), deed.root.persons
         if isinstance(verb, Scan):
             return self._stops(deed, verb, scene, deed.start - start)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from heapq import heapify, heappop, heappush
 from math import inf
@@ -18,7 +19,7 @@ from facescript.space.room import Room
 from facescript.space.shift import Shifter, Wish, number
 from facescript.space.sightings import HOLD, LATENCY, NOTICED, Absence
 
-Key = tuple[int, int]
+Key = tuple[int | tuple[int, ...], int]
 
 BEGINS, RELEASES, TURNS = 0, 1, 2
 """What happens to a request: at one time, in this order."""
@@ -73,7 +74,7 @@ def plan_gaze(
     for request in requests:
         rows.setdefault(request.scene, []).append(request)
     for scene, own in sorted(rows.items(), key=lambda row: row[0]):
-        plans.update(_Scene(room, face, scenes[min(scene, len(scenes) - 1)]).plan(own))
+        plans.update(Planning(room, face, scenes[min(scene, len(scenes) - 1)]).plan(own))
     return plans
 
 
@@ -103,7 +104,7 @@ def plan_on(
 ) -> tuple[dict[Key, tuple[GazePlan, ...]], Rest, float]:
     """The shifts of requests of one scene, that begin with `rest` (None: as every scene does), from 0 s on; what they
     leave, and from when on that is at rest. Nothing that is looked at may move. Raises `TooMuchGaze`."""
-    scene = _Scene(room, face, 0.0, rest)
+    scene = Planning(room, face, 0.0, rest)
     plans = scene.plan(requests)
     return plans, scene.rest(), max(scene.shifter.eyes.still(), scene.shifter.head.still())
 
@@ -156,8 +157,12 @@ class _Turn:
     leaves: Absence | None
 
 
-class _Scene:
-    """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift."""
+class Planning:
+    """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift.
+
+    Where a scene goes on, what was planned of the time before a moment stays as it is (`pass_to`), and what comes after it
+    is planned by a `fork`: of requests that have begun it only counts when they let go.
+    """
 
     def __init__(self, room: Room, face: Face, start: float, rest: Rest | None = None) -> None:
         self.room, self.face, self.start = room, face, start
@@ -169,6 +174,7 @@ class _Scene:
         self.plans: dict[Key, list[GazePlan]] = {}
         self.changes: list[tuple[float, int, Key, GazeRequest]] = []
         self.turns: dict[Key, _Turn] = {}
+        self.begun: dict[Key, GazeRequest] = {}
         if rest:
             self._resume(rest)
 
@@ -189,11 +195,51 @@ class _Scene:
         one = owners.eyes is owners.head
         return Rest(self.shifter.aim, self.shifter.head.goal(0.0), eyes, head, one)
 
+    @property
+    def owners(self) -> set[Key]:
+        """The requests that have eyes or head, or will have them again."""
+        return {*self.eyes, *self.head}
+
+    def fork(self) -> Planning:
+        """Another that goes on from here."""
+        other = copy(self)
+        other.shifter = self.shifter.fork()
+        other.eyes, other.head, other.aims = dict(self.eyes), dict(self.head), dict(self.aims)
+        other.watched, other.turns, other.begun = dict(self.watched), dict(self.turns), dict(self.begun)
+        other.plans = {key: list(plans) for key, plans in self.plans.items()}
+        return other
+
+    def pass_to(self, time: float, requests: Sequence[GazeRequest]) -> None:
+        """Plan what comes before a time once and for all, and forget all that is not asked for any more."""
+        self._run(requests, time)
+        wanted = {request.key for request in requests} | self.owners | {one.key for one in self.watched.values()}
+        for known in (self.aims, self.plans, self.begun, self.turns):
+            for key in [key for key in known if key not in wanted]:
+                del known[key]
+
+    def _come(self, requests: Sequence[GazeRequest]) -> Iterator[tuple[float, int, Key, GazeRequest]]:
+        """What is still to happen to requests, some of which have begun."""
+        for request in requests:
+            held = self.begun.get(request.key)
+            if request.key not in self.plans:
+                yield request.onset, BEGINS, request.key, request
+            if request.released < inf and (held or request.key not in self.plans):
+                yield max(request.released, request.onset), RELEASES, request.key, held or request
+        for key, turn in self.turns.items():
+            yield self.start + turn.clock, TURNS, key, self.begun[key]
+
     def plan(self, requests: Sequence[GazeRequest]) -> dict[Key, tuple[GazePlan, ...]]:
-        self.changes = [(request.onset, BEGINS, request.key, request) for request in requests]
-        self.changes += [(max(r.released, r.onset), RELEASES, r.key, r) for r in requests if r.released < inf]
+        """The shifts of every request by its key, in time."""
+        self._run(requests, inf)
+        self._judge("eyes", inf)
+        self._judge("head", inf)
+        return {key: tuple(plans) for key, plans in self.plans.items()}
+
+    def _run(self, requests: Sequence[GazeRequest], until: float) -> None:
+        """Plan all that happens before a time."""
+        self.changes = list(self._come(requests))
         heapify(self.changes)
-        while self.changes:
+        while self.changes and self.changes[0][0] < until:
             time, what, _, request = heappop(self.changes)
             if what == TURNS:
                 self._turn(time, request)
@@ -204,9 +250,6 @@ class _Scene:
             if self.shifter.worked > self.room.left:
                 raise TooMuchGaze
         self.room.left -= self.shifter.worked
-        self._judge("eyes", inf)
-        self._judge("head", inf)
-        return {key: tuple(plans) for key, plans in self.plans.items()}
 
     def _begin(self, time: float, request: GazeRequest) -> None:
         clock = time - self.start
@@ -215,6 +258,7 @@ class _Scene:
             place = request.place or request.key
             aim = averted(self.shifter.eyes.goal(clock), self.room.film.seed, self.face.name, *place)
         self.aims[request.key] = aim
+        self.begun[request.key] = request
         self._take(request)
         seen = self._attend(request, clock, known=False)
         wish = Wish(seen, request.manner.parts, request.manner, request.over, request.glance, request.released)
@@ -294,8 +338,8 @@ class _Scene:
             self._judge("eyes", time - self.start)
         if before.head is request:
             self._judge("head", time - self.start)
-        self.eyes.pop(request.key, None)
-        self.head.pop(request.key, None)
+        for held in (self.eyes, self.head, self.begun, self.turns):
+            held.pop(request.key, None)
         after = self._owners()
         clock = time - self.start
         for wish in self._back(request, before, after, clock):

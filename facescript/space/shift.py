@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from copy import copy
 from dataclasses import dataclass
 from functools import partial
 from math import hypot, inf
 
 from facescript.ir.acts import GazeManner
 from facescript.ir.play import Face
-from facescript.ir.values import Aim, AtCamera, Draw
+from facescript.ir.values import Aim, AtCamera, Draw, Towards
 from facescript.space.main_sequence import (
     head_lag,
     head_time,
@@ -94,6 +95,12 @@ class Past:
         self.part = part
         self.worked = 0
 
+    def fork(self) -> Past:
+        """Another that goes on from here, with the movements that it may still be asked for."""
+        other = Past(self.moves[0], self.part)
+        other.moves = self.moves[-MOST_LAID - 1 :]
+        return other
+
     def drop_pending(self, time: float) -> None:
         """Forget the movements that would begin at `time` or later: they are overtaken before they begin."""
         while len(self.moves) > 1 and self.moves[-1].onset >= time:
@@ -177,6 +184,13 @@ class Shifter:
         ahead = turned or head_goal(rest(0.0), self._usual(rest(0.0)))
         self.eyes = Past(Move(-inf, -inf, rest), saccade_part)
         self.head = Past(Move(-inf, -inf, lambda _: ahead), lambda part, _: minimum_jerk(part))
+
+    def fork(self) -> Shifter:
+        """Another that goes on from here."""
+        other = copy(self)
+        other.eyes, other.head = self.eyes.fork(), self.head.fork()
+        other._directions = {aim: goal for aim, goal in self._directions.items() if not isinstance(aim, Towards)}
+        return other
 
     @property
     def worked(self) -> int:
