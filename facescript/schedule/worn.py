@@ -114,9 +114,7 @@ def _dropped(one: Worn, falls: dict[tuple[int, int], float], time: float) -> boo
     if not isinstance(one.deed.verb, (Show, Add)) or not one.deed.verb.mix.terms:
         return False
     terms = range(len(one.deed.verb.mix.terms))
-    return isinstance(one.deed.verb, Add) and all(
-        falls.get((one.deed.order, index), NEVER) < time for index in terms
-    )
+    return isinstance(one.deed.verb, Add) and all(falls.get((one.deed.order, index), NEVER) < time for index in terms)
 
 
 def _uncovered(items: list[Worn], time: float) -> list[Worn]:

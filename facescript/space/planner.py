@@ -9,10 +9,11 @@ from dataclasses import dataclass, replace
 from heapq import heapify, heappop, heappush
 from math import inf
 
-from facescript.ir.acts import GazeManner, Scan
+from facescript.ir.acts import GazeManner
 from facescript.ir.play import Face
-from facescript.ir.random import between, chance
-from facescript.ir.values import Aim, AtCamera, Away, Towards
+from facescript.ir.values import Aim, AtCamera, Away
+from facescript.space.away import averted
+from facescript.space.live import LiveSightings
 from facescript.space.plan import GazePlan
 from facescript.space.reach import Direction
 from facescript.space.room import Room
@@ -109,28 +110,6 @@ def plan_on(
     return plans, scene.rest(), max(scene.shifter.eyes.still(), scene.shifter.head.still())
 
 
-def scan_stops(
-    room: Room,
-    face: Face,
-    scan: Scan,
-    start: float,
-    seed: int,
-    people: Sequence[str] = (),
-    place: Sequence[object] = (),
-) -> tuple[Aim, ...]:
-    """The aims of a scan in the order it visits them; `start` is of the scene's clock, `people` as in `Room.bind`.
-
-    `place` tells one scan from another where the order is drawn `at random`.
-    """
-    aims = room.members(scan.crowd, people) or ()
-    if scan.order == "nearest first":
-        return room.nearest_first(face.name, aims, start)
-    if scan.order == "at random":
-        draws = [chance(seed, "scan", face.name, *place, number) for number in range(len(aims))]
-        return tuple(aim for _, aim in sorted(zip(draws, aims, strict=True), key=lambda pair: pair[0]))
-    return aims
-
-
 @dataclass(frozen=True, slots=True)
 class _Owners:
     """The requests that have eyes and head; None is the camera, at which every scene begins."""
@@ -157,16 +136,25 @@ class _Turn:
     leaves: Absence | None
 
 
+@dataclass(frozen=True, slots=True)
+class _Attended:
+    """Since when (scene's clock) a request looks at its target, or since when it has let go of it, which is `gone`."""
+
+    clock: float
+    gone: Absence | None = None
+
+
 class Planning:
     """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift.
 
-    Where a scene goes on, what was planned of the time before a moment stays as it is (`pass_to`), and what comes after it
-    is planned by a `fork`: of requests that have begun it only counts when they let go.
+    Where a scene goes on, what was planned of the time before a moment stays as it is (`pass_to`), and what comes after
+    it is planned by a `fork`: of requests that have begun it only counts when they let go.
     """
 
     def __init__(self, room: Room, face: Face, start: float, rest: Rest | None = None) -> None:
-        self.room, self.face, self.start = room, face, start
-        self.shifter = Shifter(room, face, start, *((rest.aim, rest.turned) if rest else ()))
+        self.whole, self.room, self.face, self.start = room, room.of(start), face, start
+        self.room.turn_to(0.0)
+        self.shifter = Shifter(self.room, face, start, *((rest.aim, rest.turned) if rest else ()))
         self.eyes: dict[Key, GazeRequest] = {}
         self.head: dict[Key, GazeRequest] = {}
         self.aims: dict[Key, Aim] = {}
@@ -174,6 +162,7 @@ class Planning:
         self.plans: dict[Key, list[GazePlan]] = {}
         self.changes: list[tuple[float, int, Key, GazeRequest]] = []
         self.turns: dict[Key, _Turn] = {}
+        self.attended: dict[Key, _Attended] = {}
         self.begun: dict[Key, GazeRequest] = {}
         if rest:
             self._resume(rest)
@@ -206,6 +195,7 @@ class Planning:
         other.shifter = self.shifter.fork()
         other.eyes, other.head, other.aims = dict(self.eyes), dict(self.head), dict(self.aims)
         other.watched, other.turns, other.begun = dict(self.watched), dict(self.turns), dict(self.begun)
+        other.attended = dict(self.attended)
         other.plans = {key: list(plans) for key, plans in self.plans.items()}
         return other
 
@@ -213,7 +203,7 @@ class Planning:
         """Plan what comes before a time once and for all, and forget all that is not asked for any more."""
         self._run(requests, time)
         wanted = {request.key for request in requests} | self.owners | {one.key for one in self.watched.values()}
-        for known in (self.aims, self.plans, self.begun, self.turns):
+        for known in (self.aims, self.plans, self.begun, self.turns, self.attended):
             for key in [key for key in known if key not in wanted]:
                 del known[key]
 
@@ -225,8 +215,23 @@ class Planning:
                 yield request.onset, BEGINS, request.key, request
             if request.released < inf and (held or request.key not in self.plans):
                 yield max(request.released, request.onset), RELEASES, request.key, held or request
+        self._look_again()
         for key, turn in self.turns.items():
             yield self.start + turn.clock, TURNS, key, self.begun[key]
+
+    def _look_again(self) -> None:
+        """Of persons who are seen live more may be known than when they were attended to: who is lost, who is found."""
+        for key in self.owners & self.attended.keys():
+            sightings, attended = self.room.sightings(self.face.name, self.aims[key]), self.attended[key]
+            if not isinstance(sightings, LiveSightings):
+                continue
+            if attended.gone:
+                now = sightings.at(attended.gone.start) or attended.gone
+                turn: _Turn | None = _Turn(max(now.end + LATENCY, attended.clock), None)
+            else:
+                next_ = sightings.lets_go(attended.clock)
+                turn = _Turn(*next_) if next_ else None
+            self._await(self.begun[key], turn)
 
     def plan(self, requests: Sequence[GazeRequest]) -> dict[Key, tuple[GazePlan, ...]]:
         """The shifts of every request by its key, in time."""
@@ -241,15 +246,16 @@ class Planning:
         heapify(self.changes)
         while self.changes and self.changes[0][0] < until:
             time, what, _, request = heappop(self.changes)
+            self.room.turn_to(time - self.start)
             if what == TURNS:
                 self._turn(time, request)
             elif what == RELEASES:
                 self._let_go(time, request)
             else:
                 self._begin(time, request)
-            if self.shifter.worked > self.room.left:
+            if self.shifter.worked > self.whole.left:
                 raise TooMuchGaze
-        self.room.left -= self.shifter.worked
+        self.whole.left -= self.shifter.worked
 
     def _begin(self, time: float, request: GazeRequest) -> None:
         clock = time - self.start
@@ -277,11 +283,17 @@ class Planning:
             return aim
         gone = sightings.at(clock)
         if gone and (known or gone.lost) and clock >= gone.start + HOLD:
-            self._await(request, _Turn(max(gone.end + LATENCY, clock), None))
+            self._leave(request, gone, clock)
             return AtCamera()
+        self.attended[request.key] = _Attended(clock)
         next_ = sightings.lets_go(clock)
         self._await(request, _Turn(*next_) if next_ else None)
         return aim
+
+    def _leave(self, request: GazeRequest, gone: Absence, soonest: float) -> None:
+        """Let go of a target that is gone, until it is back."""
+        self.attended[request.key] = _Attended(soonest, gone)
+        self._await(request, _Turn(max(gone.end + LATENCY, soonest), None))
 
     def _await(self, request: GazeRequest, turn: _Turn | None) -> None:
         """Come back to a request when its target is let go of, or found again."""
@@ -302,7 +314,7 @@ class Planning:
             return
         parts = request.manner.parts if eyes and head else "eyes only" if eyes else "head only"
         if turn.leaves:
-            self._await(request, _Turn(max(turn.leaves.end + LATENCY, turn.clock + NOTICED), None))
+            self._leave(request, turn.leaves, turn.clock + NOTICED)
             wish = Wish(AtCamera(), parts, GazeManner(parts, speed=request.manner.speed))
         else:
             aim = self._attend(request, turn.clock, known=False)
@@ -375,23 +387,3 @@ class Planning:
                 if request.released == inf:
                     owners.clear()
                 owners[request.key] = request
-
-
-COMFORT = (28.0, 14.0, 20.0)
-"""How far a look away goes from straight ahead at most: sideways, up, down, deg."""
-
-AWAY = (12.0, 20.0)
-"""How far a look away goes from what it leaves, deg."""
-
-
-def averted(leaving: Direction, seed: int, *place: object) -> Towards:
-    """Somewhere else than `leaving`, by the seed: seven in ten to a side, two down, one up (motion.md section 8)."""
-    draw, size = chance(seed, "away", *place, "where"), between(*AWAY, seed, "away", *place, "size")
-    side, up, down = COMFORT
-    if draw < 0.7:
-        way = size if draw < 0.35 else -size
-        yaw = leaving[0] + way if abs(leaving[0] + way) <= side else leaving[0] - way
-        return Towards(min(side, max(-side, yaw)), min(up, max(-down, leaving[1])))
-    way = -size if draw < 0.9 else size
-    pitch = leaving[1] + way if -down <= leaving[1] + way <= up else leaving[1] - way
-    return Towards(min(side, max(-side, leaving[0])), min(up, max(-down, pitch)))

@@ -273,12 +273,12 @@ class Shifter:
             sight = followed(time)
             return within((sight.yaw, sight.pitch))
 
-        return _once(direction)
+        return _once(self.room, direction)
 
     def _turned(self, target: Goal, share: Direction, start: Direction, moves: bool) -> Goal:
         """Where the head turns for a target, which may move."""
         if moves:
-            return _once(partial(_head_at, target, share, start))
+            return _once(self.room, partial(_head_at, target, share, start))
         still = head_goal(target(0.0), share, start)
         return lambda _: still
 
@@ -382,15 +382,15 @@ def _head_at(target: Goal, share: Direction, start: Direction, time: float) -> D
     return head_goal(target(time), share, start)
 
 
-def _once(goal: Goal) -> Goal:
-    """The same goal, worked out once where it is asked for again and again at one time."""
-    last = (inf, (0.0, 0.0))
+def _once(room: Room, goal: Goal) -> Goal:
+    """The same goal, worked out once where it is asked for again and again at one time, by what the room knows."""
+    last = (inf, inf, (0.0, 0.0))
 
     def remembered(time: float) -> Direction:
         nonlocal last
-        if last[0] != time:
-            last = (time, goal(time))
-        return last[1]
+        if last[0] != time or last[1] != room.now:
+            last = (time, room.now, goal(time))
+        return last[2]
 
     return remembered
 

@@ -42,7 +42,7 @@ class GazeTrack:
             planned = [(plan.starts, act.order, plan) for act in acts if act.scene == number for plan in act.plan]
             plans = [plan for _, _, plan in sorted(planned, key=lambda each: each[:2])]
             end = score.scenes[number].end + AFTERWARDS if score.scenes else inf
-            self.scenes.append(SceneGaze(room, face, float(start), end, plans))
+            self.scenes.append(SceneGaze(room.of(float(start)), face, float(start), end, plans))
 
     def sight(self, times: Floats) -> Floats:
         """array[n, 3]: yaw and pitch (deg) of the line of sight as drawn, and the distance (cm) of convergence."""
