@@ -8,7 +8,7 @@ frames.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
@@ -31,21 +31,10 @@ from facescript.project import compile_any, is_play
 from facescript.recompile import Recompiler
 from facescript.speech.studio import open_studio
 from facescript.text import Source
-from facescript.world import LARGEST_FILE, World, WorldFailure
+from facescript.world import ReadWorld, WorldFailure
 
 ASKED = 64
 """Questions that wait, at most; the oldest are dropped."""
-
-
-@dataclass(frozen=True, slots=True)
-class ReadWorld(World):
-    """A project that keeps in mind which of its files were read, or looked for."""
-
-    names: set[str] = field(default_factory=set, hash=False, compare=False)
-
-    def read(self, name: str, largest: int = LARGEST_FILE) -> bytes:
-        self.names.add(name)
-        return World.read(self, name, largest)
 
 
 @dataclass(frozen=True, slots=True)
