@@ -32,6 +32,7 @@ class Cascade:
         path = Path(folder) / MODEL
         if not folder or not path.is_file():
             raise OSError(f"this OpenCV ({cv2.__version__}) has no {MODEL}; version 4 has it")
+        cv2.setNumThreads(1)  # the other cores are for the frames
         self._cascade: Any = cv2.CascadeClassifier(str(path))
 
     def faces(self, picture: Picture, near: Sequence[Box] | None = None) -> list[Box]:
