@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from facescript.diagnostics.catalogue.addresses import ADDRESSES
 from facescript.diagnostics.catalogue.command import COMMAND
 from facescript.diagnostics.catalogue.files import FILES
 from facescript.diagnostics.catalogue.gaze import GAZE
@@ -21,7 +22,22 @@ from facescript.text import Span
 
 CATALOGUE: dict[str, Entry] = {
     entry.code: entry
-    for family in (SYNTAX, NAMES, KINDS, VALUES, TIME, SPEECH, RECORDINGS, GAZE, FILES, LATER, COMMAND, PAGES, PROGRAMS)
+    for family in (
+        SYNTAX,
+        NAMES,
+        KINDS,
+        VALUES,
+        TIME,
+        SPEECH,
+        RECORDINGS,
+        GAZE,
+        FILES,
+        LATER,
+        COMMAND,
+        PAGES,
+        PROGRAMS,
+        ADDRESSES,
+    )
     for entry in family
 }
 
