@@ -9,6 +9,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -79,7 +80,7 @@ def _places(what: str, seen: list[Sighting], walks: list[Walk]) -> Iterator[Row]
         names[whose].append(one.person)
         place = places[whose]
         wrong.append((one.place.x - place.x, one.place.y - place.y, one.place.z / place.z - 1.0))
-    switches = sum(before != after for row in names.values() for before, after in zip(row, row[1:], strict=False))
+    switches = sum(before != after for row in names.values() for before, after in pairwise(row))
     yield Row(f"{what}: found, of {len(walks) * int(SECONDS * FPS)}", "", str(len(seen)), None)
     yield Row(f"{what}: changes of name", "0", str(switches), switches == 0)
     x, y, z = np.abs(np.array(wrong)).mean(axis=0)
@@ -136,6 +137,7 @@ def _told() -> Iterator[Row]:
 
 async def _played(path: Path) -> tuple[list[float], dict[str, Any]]:
     clock = WallClock()
+    clock.begin()
     ages, source = _Ages(clock), VideoSource(path, (640, 480), clock, Watcher(LEVEL, Cascade()))
     task = asyncio.create_task(source.run(ages))
     await asyncio.sleep(SECONDS + 2.0)

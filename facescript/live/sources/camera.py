@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from threading import Event, Thread
 
-from facescript.live.address import AddressFault
+from facescript.live.address import LONGEST, AddressFault
 from facescript.live.clock import Clock
 from facescript.live.model import Happening, Sighting, Source, Teller
 from facescript.live.seeing.cascade import Cascade
@@ -36,15 +36,20 @@ def opened(address: str, setting: Setting) -> Source:
     """Raises `AddressFault`."""
     scheme, _, rest = address.partition(":")
     name, _, query = rest.partition("?")
+    film = setting.play.film
     try:
-        found = options(query, setting.play.film.wide_cm * setting.play.film.height / setting.play.film.width / 2)
+        found = options(query, film.wide_cm * film.height / film.width / 2)
+        number = None if scheme == "video" else _number(name)
+    except ValueError as fault:
+        example = f"{scheme}:{name or 0}?fov=60&tilt=-30"
+        raise AddressFault("FS981", address=address[:LONGEST], reason=fault, example=example[:LONGEST]) from None
+    try:
         watcher = Watcher(found.camera, _finder(found), _signals(setting))
-        if scheme == "video":
+        if number is None:
             return VideoSource(_file(setting.world, name), found.size, setting.clock, watcher)
-        return CameraSource(_grabber(name, found, setting.clock), watcher)
-    except (OSError, ValueError, WorldFailure) as fault:
-        example = "camera:0?fov=60&tilt=-30" if scheme == "camera" else "video:visit.mp4"
-        raise AddressFault("FS981", address=address[:200], reason=str(fault), example=example) from None
+    except (OSError, WorldFailure) as fault:
+        raise AddressFault("FS971", address=address[:LONGEST], reason=fault) from None
+    return CameraSource(_grabber(number, found, setting.clock), watcher)
 
 
 def _file(world: World, name: str) -> Path:
@@ -54,15 +59,19 @@ def _file(world: World, name: str) -> Path:
     return path
 
 
-def _grabber(name: str, found: Options, clock: Clock) -> Grabber:
+def _number(name: str) -> int:
     if not name.isascii() or not name.isdigit() or int(name[:4]) >= MOST_CAMERAS:
         raise ValueError(f"a camera has a number from 0 to {MOST_CAMERAS - 1}")
-    return Grabber(lambda: camera(int(name), found.size), found.size, clock.now, found.delay)
+    return int(name)
+
+
+def _grabber(number: int, found: Options, clock: Clock) -> Grabber:
+    return Grabber(lambda: camera(number, found.size), found.size, clock.now, found.delay)
 
 
 def _finder(found: Options) -> Finder:
     if found.by == "mediapipe" and not installed():
-        raise ValueError("no MediaPipe is installed that comes with its models (`mediapipe==0.10.21`)")
+        raise OSError("no MediaPipe is installed that comes with its models (`mediapipe==0.10.21`)")
     return MediaPipe() if found.by != "cascade" and installed() else Cascade()
 
 
@@ -132,7 +141,10 @@ class VideoSource:
 
     def _wait(self, time: float, stop: Event) -> bool:
         """Waits until a time of the run; whether it goes on then."""
-        return not stop.wait(max(0.0, time - self._clock.now()))
+        while (early := time - self._clock.now()) > 0.0:
+            if stop.wait(early):
+                return False
+        return not stop.is_set()
 
 
 def tell(teller: Teller, item: Sighting | Happening) -> None:

@@ -10,7 +10,7 @@ from heapq import merge
 from itertools import accumulate
 
 from facescript.diagnostics.model import Diagnostics
-from facescript.live.address import AddressFault
+from facescript.live.address import LONGEST, AddressFault
 from facescript.live.clock import Clock
 from facescript.live.model import Happening, Sighting, Source, Teller
 from facescript.live.seeing.tracker import LEAVES, MOST
@@ -51,7 +51,7 @@ def opened(address: str, setting: Setting) -> Source:
     try:
         return TrackSource(read_visits(address.partition(":")[2], setting.world), setting.clock)
     except ValueError as fault:
-        raise AddressFault("FS981", address=address[:200], reason=str(fault), example="track:visit.csv") from None
+        raise AddressFault("FS971", address=address[:LONGEST], reason=fault) from None
 
 
 class TrackSource:
@@ -89,12 +89,12 @@ def read_visits(name: str, world: World) -> tuple[Visit, ...]:
     try:
         found = tracks(Project(world, diagnostics, Names()), String(name, Span(text, 0, len(name))))
     except Refused:
-        raise ValueError(next(iter(diagnostics)).message) from None
+        raise ValueError(next(iter(diagnostics)).message.removesuffix(".")) from None
     visits = tuple(visit for person, track in found.items() for visit in _visits(f"person {person or 1}", track))
     edges = sorted(edge for visit in visits for edge in ((visit.start, 1), (visit.end, -1)))
     most = max(accumulate(change for _, change in edges))
     if most > MOST:
-        raise ValueError(f"The track “{name}” has {most} persons at a time; {MOST} can be there.")
+        raise ValueError(f"The track “{name}” has {most} persons at a time; {MOST} can be there")
     return visits
 
 

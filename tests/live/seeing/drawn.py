@@ -70,8 +70,9 @@ def scene(camera: Camera, places: Sequence[Point]) -> Picture:
 def projected(camera: Camera, place: Point) -> tuple[float, float, float]:
     """Where a place is in the picture, pixels, and how many a centimetre there takes up. The room is turned before the
     camera, which is another way than that which is tested."""
-    tilt, away = radians(camera.tilt), np.array([place.x, place.y, place.z]) - np.array(
-        [camera.place.x, camera.place.y, camera.place.z]
+    tilt, away = (
+        radians(camera.tilt),
+        np.array([place.x, place.y, place.z]) - np.array([camera.place.x, camera.place.y, camera.place.z]),
     )
     forward, up = np.array([0.0, np.sin(tilt), np.cos(tilt)]), np.array([0.0, np.cos(tilt), -np.sin(tilt)])
     scale = WIDE / 2 / tan(radians(camera.fov / 2)) / (away @ forward)
@@ -88,7 +89,19 @@ def paste(ground: Colours, over: Colours, left: int, top: int) -> None:
 def film(path: Path, pictures: Iterable[Picture]) -> None:
     """A film of pictures, `FPS` a second."""
     words = [imageio_ffmpeg.get_ffmpeg_exe(), "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "bgr24"]
-    words += ["-s", f"{WIDE}x{HIGH}", "-r", str(FPS), "-i", "-", "-preset", "ultrafast", "-pix_fmt", "yuv420p", str(path)]
+    words += [
+        "-s",
+        f"{WIDE}x{HIGH}",
+        "-r",
+        str(FPS),
+        "-i",
+        "-",
+        "-preset",
+        "ultrafast",
+        "-pix_fmt",
+        "yuv420p",
+        str(path),
+    ]
     with subprocess.Popen(words, stdin=subprocess.PIPE) as process:
         assert process.stdin is not None
         for picture in pictures:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import permutations
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from facescript.live.seeing.assignment import pairs
@@ -25,6 +25,7 @@ def cheapest(costs: list[list[float]]) -> float:
 
 
 @given(TABLES)
+@settings(max_examples=50)
 def test_nothing_is_cheaper(costs: list[list[float]]) -> None:
     found = pairs(costs, 1.0)
     assert len({row for row, _ in found}) == len({column for _, column in found}) == len(found)

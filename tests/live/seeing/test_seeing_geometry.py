@@ -6,7 +6,7 @@ from math import cos, radians, sin, tan
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from facescript.ir.values import Point
@@ -64,6 +64,7 @@ CAMERAS = st.builds(
 
 
 @given(CAMERAS, st.floats(-80, 80), st.floats(-40, 40), st.floats(60, 250))
+@settings(max_examples=50)
 def test_a_face_is_found_where_it_was(camera: Camera, x: float, y: float, z: float) -> None:
     place = Point(x, y, z)
     box = projected(camera, place)

@@ -97,6 +97,7 @@ class Heard:
 async def test_it_is_told_in_its_own_time(tmp_path: Path) -> None:
     (tmp_path / "visit.csv").write_text("time,x,y,z\n0.1,-60,0,200\n0.3,0,2,150\n3,60,0,200\n", "utf-8")
     clock, heard = WallClock(), Heard()
+    clock.begin()
     source = TrackSource(read_visits("visit.csv", World(tmp_path)), clock)
     task = asyncio.create_task(source.run(heard))
     await asyncio.sleep(0.35)
