@@ -14,6 +14,7 @@ from facescript.diagnostics.catalogue.programs import PROGRAMS
 from facescript.diagnostics.catalogue.recordings import RECORDINGS
 from facescript.diagnostics.catalogue.speech import SPEECH
 from facescript.diagnostics.catalogue.syntax import SYNTAX
+from facescript.diagnostics.catalogue.talk import TALK
 from facescript.diagnostics.catalogue.time import TIME
 from facescript.diagnostics.catalogue.values import VALUES
 from facescript.diagnostics.model import Diagnostic, Fix, Related
@@ -21,7 +22,22 @@ from facescript.text import Span
 
 CATALOGUE: dict[str, Entry] = {
     entry.code: entry
-    for family in (SYNTAX, NAMES, KINDS, VALUES, TIME, SPEECH, RECORDINGS, GAZE, FILES, LATER, COMMAND, PAGES, PROGRAMS)
+    for family in (
+        SYNTAX,
+        NAMES,
+        KINDS,
+        VALUES,
+        TIME,
+        SPEECH,
+        RECORDINGS,
+        GAZE,
+        FILES,
+        LATER,
+        COMMAND,
+        PAGES,
+        PROGRAMS,
+        TALK,
+    )
     for entry in family
 }
 
