@@ -111,4 +111,7 @@ def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
 
 def _times_before(scenes: tuple[TimedScene, ...], number: int) -> int:
     """How often a scene has been played before: one that is begun again lives anew."""
+    again = scenes[number].again
+    if again is not None:
+        return again
     return sum(scene.name == scenes[number].name for scene in scenes[:number])
