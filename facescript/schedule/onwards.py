@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from facescript.ir.play import Play
+from facescript.ir.play import Play, Reaction
 from facescript.schedule.drops import take_off
 from facescript.schedule.events import Happening, Trigger, heeds, planted
 from facescript.schedule.facts import Facts
@@ -38,6 +38,15 @@ BEYOND = 10.0
 """Seconds that a score is told to last beyond its horizon: life foresees nothing that is further away."""
 
 
+Told = Callable[[Happening], Iterable[tuple[int, Reaction]]]
+"""What an event starts that the play does not know of: reactions, each with the number of those whose place it takes;
+below 0, for the play's are counted from there."""
+
+
+def nothing(event: Happening) -> tuple[tuple[int, Reaction], ...]:
+    return ()
+
+
 @dataclass(slots=True)
 class Heeded:
     """A reaction that an event has started, the `count`-th time for this reaction; at `limit` its event came again."""
@@ -64,13 +73,14 @@ class Onwards:
     what comes later; the events alone decide.
     """
 
-    def __init__(self, play: Play, voice: VoiceBox) -> None:
+    def __init__(self, play: Play, voice: VoiceBox, told: Told = nothing) -> None:
         self.play = replace(play, film=replace(play.film, long=None), events=())
         self.room = Room(self.play.film, play.faces, play.targets)
         self._means = Means(self.play, voice, self.room)
         self.voices = Voices(voice, self._means.spoken)
         self.faults = Faults()
         self._labels = Labels()
+        self._told = told
         self._begin, self._past = Begin(), Past()
         self._heeded: list[Heeded] = []
         self._comings: list[Coming] = []
@@ -81,18 +91,19 @@ class Onwards:
         """An event, at a time that is not before that of the last one; whether any reaction waits for it."""
         if event.person is not None and event.kind in ("arrives", "leaves"):
             self._comings.append(Coming(event.time, event.person, event.kind == "arrives"))
-        found = [number for number, one in enumerate(self.play.reactions) if heeds(one.event, event)]
-        for number in found:
-            self._start(number, event)
+        waiting = ((number, one) for number, one in enumerate(self.play.reactions) if heeds(one.event, event))
+        found = [*waiting, *self._told(event)]
+        for number, reaction in found:
+            self._start(number, reaction, event)
         return bool(found)
 
-    def _start(self, number: int, event: Happening) -> None:
+    def _start(self, number: int, reaction: Reaction, event: Happening) -> None:
         for before in self._heeded:
             if before.trigger.number == number and before.limit == NEVER:
                 before.limit = event.time
         self._counts[number] += 1
         self._ranks += 1
-        trigger = Trigger(event.time, number, self.play.reactions[number], event.person)
+        trigger = Trigger(event.time, number, reaction, event.person)
         self._heeded.append(Heeded(trigger, self._ranks, self._counts[number]))
 
     # ------------------------------------------------------------------------------------------------ solving
