@@ -52,6 +52,7 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", metavar="TIME", help="one moment only: a still")
     parser.add_argument("--captions", metavar="HOW", help="words or sentences in .vtt and .srt, burn for films")
     parser.add_argument("--font", metavar="FILE", help="with --captions burn: a font that has their signs")
+    parser.add_argument("--face", metavar="NAME", help="for .arkit.csv and .fap: whose face, where there are several")
     parser.add_argument("--jobs", metavar="N", help="how many processes draw")
     templates = "plain, announcer, book, script, or an .html of your own"
     parser.add_argument("--page", metavar="TEMPLATE", help=f"for .html: {templates}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from facescript.diagnostics.catalogue.addresses import ADDRESSES
 from facescript.diagnostics.catalogue.command import COMMAND
 from facescript.diagnostics.catalogue.files import FILES
 from facescript.diagnostics.catalogue.gaze import GAZE
@@ -29,6 +30,7 @@ CATALOGUE: dict[str, Entry] = {
         VALUES,
         TIME,
         SPEECH,
+        TALK,
         RECORDINGS,
         GAZE,
         FILES,
@@ -36,7 +38,7 @@ CATALOGUE: dict[str, Entry] = {
         COMMAND,
         PAGES,
         PROGRAMS,
-        TALK,
+        ADDRESSES,
     )
     for entry in family
 }
