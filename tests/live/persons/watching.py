@@ -1,4 +1,4 @@
-"""A camera that is made up, late and trembling, and a face that looks at whom it sees, frame by frame, as a run does."""
+"""A made-up camera, late and trembling, and a face that looks at whom it sees, frame by frame, as in a run."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from facescript.space.room import Room
 Floats = NDArray[np.float64]
 
 Truth = Callable[[float], tuple[float, float] | None]
-"""Where a person is at a time: cm to the viewer's right of the face, and from the screen; None while nobody sees her."""
+"""Where a person is at a time: cm to the viewer's right of the face, and from the screen; None while she is unseen."""
 
 EYES = Room(film(), [face()], []).point("ada", AtCamera(), 0.0).y
 FPS = 60.0
