@@ -16,6 +16,7 @@ from facescript.motion.gaze.track import GazeTrack
 from facescript.motion.gesture import Gestures
 from facescript.motion.hair import Hair
 from facescript.motion.life.lives import Lives, lives
+from facescript.motion.life.memory import Memory
 from facescript.motion.mouth import MouthTrack
 from facescript.performance.channels import POSE, channels_of
 from facescript.performance.performance import Frames, Performance
@@ -23,6 +24,9 @@ from facescript.schedule.score import Score, TimedScene
 from facescript.speech.mouth.own import table_of
 
 _PLACE = rows(("head.x", "head.y"))
+
+Memories = dict[tuple[str, int], Memory]
+"""What is remembered of a face's life in each scene, by the scene's name and how often it was played before."""
 
 
 def perform(score: Score) -> Performance:
@@ -48,8 +52,9 @@ class SceneMotion:
 class FaceMotion:
     """One face over the whole film. Its sources stay apart in `asked`, so that each can be looked at alone."""
 
-    def __init__(self, score: Score, face: Face) -> None:
-        self.scenes = tuple(_scenes(score, face))
+    def __init__(self, score: Score, face: Face, memories: Memories | None = None) -> None:
+        """In a run there are `memories` of its lives."""
+        self.scenes = tuple(_scenes(score, face, memories))
         self.gaze = GazeTrack(score, face)
         spoken = tuple(line for line in score.lines if line.face == face.name)
         self.mouth = MouthTrack(spoken, table_of(score.visemes))
@@ -91,7 +96,7 @@ class FaceMotion:
         return Asked(expression, gestures, life, sight, head, *self.mouth.sample(times))
 
 
-def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
+def _scenes(score: Score, face: Face, memories: Memories | None) -> Iterator[SceneMotion]:
     """The scenes a face is in; it is neutral in the others."""
     starts = [scene.start for scene in score.scenes]
     for number, scene in enumerate(score.scenes):
@@ -99,13 +104,15 @@ def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
             continue
         acts = tuple(act for act in score.acts if act.face == face.name and act.scene == number)
         lines = tuple(line for line in score.lines if line.face == face.name and scene.start <= line.start < scene.end)
-        dice = Dice(score.film.seed, (face.name, scene.name, _times_before(score.scenes, number)))
+        again = _times_before(score.scenes, number)
+        dice = Dice(score.film.seed, (face.name, scene.name, again))
+        memory = None if memories is None else memories.setdefault((scene.name, again), Memory())
         yield SceneMotion(
             scene.start,
             starts[number + 1] if number + 1 < len(starts) else np.inf,
             Expression(acts, scene.start, scene.end),
             Gestures(acts),
-            lives(face.life, acts, lines, scene.start, scene.end, dice, channels_of(face.parts)),
+            lives(face.life, acts, lines, scene.start, scene.end, dice, channels_of(face.parts), memory),
         )
 
 

@@ -26,7 +26,7 @@ from facescript.schedule.presence import Coming, Presence
 from facescript.schedule.round import Begin, Round
 from facescript.schedule.rules import Times
 from facescript.schedule.score import Score, TimedAct, TimedLine
-from facescript.schedule.steps import DONE, NEVER, START, Key, Maker, Past, Root
+from facescript.schedule.steps import DONE, NEVER, Key, Maker, Past, Root
 from facescript.schedule.voices import Voices
 from facescript.schedule.worn import Worn, still_worn, worn
 from facescript.schedule.writing import Writing
@@ -75,14 +75,14 @@ class Outlook:
     lines: list[tuple[Sounding, TimedLine]] = field(default_factory=list)
 
 
-@dataclass(slots=True)
-class Earlier:
-    """What one face did in its scene that is not told of any more: how often it said which text, made which shift of
-    gaze, and had which life."""
+@dataclass(frozen=True, slots=True)
+class Forgotten:
+    """What a score tells of no more: acts of the scene that plays (its name, and how often it was played before) and
+    lines."""
 
-    said: Counter[str] = field(default_factory=Counter)
-    shifted: Counter[str] = field(default_factory=Counter)
-    lived: Counter[str] = field(default_factory=Counter)
+    scene: tuple[str, int]
+    acts: tuple[TimedAct, ...]
+    lines: tuple[TimedLine, ...]
 
 
 class Onwards:
@@ -212,9 +212,7 @@ class Onwards:
             self._gazes[name] = Planning(self.room, self._means.faces[name], self._begin.start)
         return self._gazes[name]
 
-    def _requests(
-        self, solved: Round, deeds: list[tuple[Deed, Worn | None]]
-    ) -> Mapping[str, list[GazeRequest]]:
+    def _requests(self, solved: Round, deeds: list[tuple[Deed, Worn | None]]) -> Mapping[str, list[GazeRequest]]:
         """What deeds ask of each face's eyes and head; they are known by the places of their steps."""
         starts = solved.starts()
         gaze = Gaze(self._means.faces, solved.times.lengths.presence, self.play.film.seed)
@@ -251,11 +249,10 @@ class Onwards:
 
     # ------------------------------------------------------------------------------------------------ forgetting
 
-    def forget(self, time: float) -> None:
+    def forget(self, time: float) -> Forgotten:
         """What is over by a time is not solved again. All events before that time have been heeded."""
         outlook = self._outlook
-        if outlook is None:
-            return
+        assert outlook is not None, "there is nothing to forget before the first solution"
         solved = outlook.round
         begin = begin_of(solved, time)
         forgetting = Forgetting(time)
@@ -264,13 +261,16 @@ class Onwards:
         for root in solved.reactions:
             forgetting.tree(root)
         over = self._over(solved, forgetting)
-        self._forget_lines(outlook, forgetting)
-        self._forget_deeds(outlook, begin, forgetting, over)
+        lines = self._forget_lines(outlook, forgetting)
+        acts = self._forget_deeds(outlook, begin, forgetting, over)
         self._forget_past(solved, forgetting, over, time)
         self._begin = begin
         self._heeded = [one for one in self._heeded if one.rank not in over]
         if len(self._means.paced) > PACED:
             self._means.paced.clear()
+        scene = self.play.scenes[begin.scene]
+        said = tuple(line for line in lines if line.start >= begin.start)
+        return Forgotten((scene.name, begin.played - dict(begin.first)[begin.scene]), acts, said)
 
     def _over(self, solved: Round, forgetting: Forgetting) -> set[int]:
         """The ranks of the reactions that nothing hangs on any more."""
@@ -291,18 +291,21 @@ class Onwards:
                 kept.add(one.trigger.number)
         return over
 
-    def _forget_lines(self, outlook: Outlook, forgetting: Forgetting) -> None:
+    def _forget_lines(self, outlook: Outlook, forgetting: Forgetting) -> tuple[TimedLine, ...]:
         """Lines that are not solved again are told of a little longer, and the last of each face as long as it is."""
         for sound, line in outlook.lines:
             step = id(sound.step)
             if step not in forgetting.live or sound.start < forgetting.said.get(step, 0.0):
                 self._lines.append(line)
-        last = {line.face: line for line in sorted(self._lines, key=lambda line: line.end)}
-        self._lines = [
-            line for line in self._lines if line.end > forgetting.time - TAIL or line is last[line.face]
-        ]
+        last = {line.face: id(line) for line in sorted(self._lines, key=lambda line: line.end)}
+        since = forgetting.time - TAIL
+        gone = [line for line in self._lines if line.end <= since and id(line) != last[line.face]]
+        self._lines = [line for line in self._lines if line not in gone]
+        return tuple(gone)
 
-    def _forget_deeds(self, outlook: Outlook, begin: Begin, forgetting: Forgetting, over: set[int]) -> None:
+    def _forget_deeds(
+        self, outlook: Outlook, begin: Begin, forgetting: Forgetting, over: set[int]
+    ) -> tuple[TimedAct, ...]:
         numbers = {one.rank: one.trigger.number for one in self._heeded}
         if begin.played != self._begin.played:
             self._gazes.clear()
@@ -320,6 +323,8 @@ class Onwards:
         self._pass_gaze(outlook, begin, forgetting.time)
         owners = {key[0] for gaze in self._gazes.values() for key in gaze.owners}
         self._worn = list(still_worn(items, orders, owners, forgetting.time))  # type: ignore[arg-type]
+        kept = {one.deed.order for one in self._worn}
+        return tuple(one.act for one in items if one.deed.order not in kept)
 
     def _pass_gaze(self, outlook: Outlook, begin: Begin, time: float) -> None:
         """What was planned of gaze before the time stays."""

@@ -14,7 +14,7 @@ from facescript.live.run.company import Company
 from facescript.live.run.curves import FaceCurves
 from facescript.live.run.telling import Marks, Utterances, of_event
 from facescript.motion.drivers import Floats
-from facescript.motion.perform import FaceMotion, perform
+from facescript.motion.perform import FaceMotion, Memories, perform
 from facescript.schedule.labels import nodes
 from facescript.schedule.onwards import Onwards
 from facescript.schedule.score import Score
@@ -51,6 +51,7 @@ class Run:
         self.score = self._onwards.solve(STEPS * STEP)
         performance = perform(self.score)
         self._seen = {face.name: face for face in play.faces if face.seen}
+        self._memories: dict[str, Memories] = {name: {} for name in self._seen}
         self._curves = {name: FaceCurves(self._motion(self.score, name)) for name in self._seen}
         self._columns = performance.columns
         self.layout = Layout(
@@ -66,7 +67,7 @@ class Run:
                     self._onwards.voices.speak(node.verb, node.span)
 
     def _motion(self, score: Score, name: str) -> FaceMotion:
-        return FaceMotion(score, self._seen[name])
+        return FaceMotion(score, self._seen[name], self._memories[name])
 
     # ------------------------------------------------------------------------------------------------ what goes in
 
@@ -116,6 +117,7 @@ class Run:
                 self._solve(self._shift)
             else:
                 self._solved = step
+                self._forget(step - STEP)
                 self._solve(step)
                 self._company.forget(self.score)
 
@@ -138,8 +140,20 @@ class Run:
             self._company.hear(event)
         heeded = [self._onwards.heed(event) for event in now]
         self._heeded += (of_event(event) for event, waited in zip(now, heeded, strict=True) if waited)
-        if any(heeded):
+        if any(heeded) or any(event.person for event in now):
             self._solve(now[0].time)
+
+    def _forget(self, time: float) -> None:
+        """What is over by a time is not worked out again."""
+        gone = self._onwards.forget(time)
+        for name, memories in self._memories.items():
+            lines = [line for line in gone.lines if line.face == name]
+            acts = [act for act in gone.acts if act.face == name]
+            over = {(line.start, id(line.spoken)) for line in lines}
+            said = (line for line in self.score.lines if line.face == name)
+            first = min((line.start for line in said if (line.start, id(line.spoken)) not in over), default=np.inf)
+            if gone.scene in memories:
+                memories[gone.scene] = memories[gone.scene].pass_to(time, lines, acts, first)
 
     def _solve(self, time: float) -> None:
         """Go on from a time by what is known now."""
@@ -148,6 +162,10 @@ class Run:
         for name, curves in self._curves.items():
             curves.turn(time, self._motion(self.score, name))
         self._shift = self._company.next_shift(self.score, time)
+        scenes = {(scene.name, scene.again) for scene in self.score.scenes}
+        for memories in self._memories.values():
+            for key in [key for key in memories if key not in scenes]:
+                del memories[key]
         self._block = (0, self._block[1][:0])
 
     # ------------------------------------------------------------------------------------------------ frames
