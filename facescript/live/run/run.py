@@ -161,11 +161,11 @@ class Run:
         self.score = self._onwards.solve((self._solved // STEP + STEPS) * STEP)
         for name, curves in self._curves.items():
             curves.turn(time, self._motion(self.score, name))
-        self._shift = self._company.next_shift(self.score, time)
         scenes = {(scene.name, scene.again) for scene in self.score.scenes}
         for memories in self._memories.values():
             for key in [key for key in memories if key not in scenes]:
                 del memories[key]
+        self._shift = self._company.next_shift(self.score, time)
         self._block = (0, self._block[1][:0])
 
     # ------------------------------------------------------------------------------------------------ frames
