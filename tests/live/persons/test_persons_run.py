@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import sin, tau
-from pathlib import Path
 
 import numpy as np
 import pytest
-from scripted import Letters
-from watching import Camera, Truth, lag, true_yaw
+from watching import FPS, Camera, Live, People, Truth, lag, true_yaw
 
-from facescript.compile import compile_source
-from facescript.live.model import Happening, Sighting
-from facescript.live.run.run import Run
-from facescript.text import Source
-from facescript.world import World
+from facescript.live.model import Happening
 
 HEAD = """film 640x360, seed 3, screen none, 60s long
 face ada = woman
@@ -40,30 +33,6 @@ when person nearest as guest:
     look at guest
 """
 )
-FPS = 60.0
-
-People = dict[str, Truth]
-
-
-class Live:
-    """A run, and what comes to it by when."""
-
-    def __init__(self, text: str, told: list[tuple[float, Sighting]], events: list[Happening]) -> None:
-        compiled = compile_source(Source("made.face", text), World(Path(__file__).parent), Letters())
-        assert compiled.play is not None, [item.message for item in compiled.diagnostics]
-        self.run = Run(compiled.play, Letters(), FPS)
-        self.waiting = sorted([*told, *((event.time, event) for event in events)], key=lambda one: -one[0])
-
-    def frames(self, seconds: float) -> Iterator[np.ndarray]:
-        for number in range(int(seconds * FPS)):
-            while self.waiting and self.waiting[-1][0] <= number / FPS:
-                _, what = self.waiting.pop()
-                self.run.see(what) if isinstance(what, Sighting) else self.run.hear(what)
-            yield self.run.frame(number).values
-
-    def watch(self, seconds: float) -> dict[str, np.ndarray]:
-        values = np.array(list(self.frames(seconds))).T
-        return {"time": np.arange(values.shape[1]) / FPS, **dict(zip(self.run.layout.names, values, strict=True))}
 
 
 def arrives(time: float, person: str) -> Happening:
