@@ -89,6 +89,7 @@ def nav() -> Nav:
         {"Home": "index.md"},
         *_section(there, "Tutorial", ["tutorial.md"]),
         *_section(there, "How-tos", [*(f"howto/{name}.md" for name in HOWTO), *(f"{name}.md" for name in DESK)]),
+        *_section(there, "Live", ["live.md"]),
         *_section(there, "Language", ["language.md", "speech.md", "faces.md", "gallery.md"]),
         {"Reference": _reference(there)},
         {"Diagnostics": _diagnostics()},

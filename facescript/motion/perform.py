@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from facescript.ir.play import Face
+from facescript.motion.blend import giving_way
 from facescript.motion.compose import Asked, compose, head_pose
 from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Floats, rows
@@ -92,6 +93,8 @@ class FaceMotion:
                 gestures[:, window] = scene.gestures.at(times[window])
                 life[:, window] = scene.lives.at(times[window])
         sight, head = self.gaze.sight(times), self.gaze.head(times)
+        if gestures[_TURNS].any():
+            gestures[_TURNS] = giving_way(gestures[_TURNS], self.gaze.turning(times, head))
         asked = Asked(expression, gestures, life, sight, head, *self.mouth.sample(times))
         return self._with_takes(asked, times)
 
@@ -135,4 +138,7 @@ def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
 
 def _times_before(scenes: tuple[TimedScene, ...], number: int) -> int:
     """How often a scene has been played before: one that is begun again lives anew."""
+    again = scenes[number].again
+    if again is not None:
+        return again
     return sum(scene.name == scenes[number].name for scene in scenes[:number])

@@ -67,6 +67,8 @@ def walk(roots: Iterable[Root]) -> Iterator[tuple[Step, tuple[str, ...]]]:
     waiting += [(root.top, ()) for root in reversed(tuple(roots))]
     while waiting:
         step, around = waiting.pop()
+        if step.over:
+            continue
         label = step.node.label
         names = (*around, in_pass(label, step.passes)) if label else around
         yield step, names
@@ -74,8 +76,8 @@ def walk(roots: Iterable[Root]) -> Iterator[tuple[Step, tuple[str, ...]]]:
             waiting += [(child, names) for child in reversed(step.children)]
 
 
-def deeds(roots: Iterable[Root], voices: Voices) -> tuple[list[Deed], list[Step]]:
-    """What is done, and the steps that come too late to be done."""
+def deeds(roots: Iterable[Root], voices: Voices, before: int = 0) -> tuple[list[Deed], list[Step]]:
+    """What is done, and the steps that come too late to be done; so many deeds were done before."""
     done: list[Deed] = []
     late: list[Step] = []
     for step, names in walk(roots):
@@ -89,7 +91,7 @@ def deeds(roots: Iterable[Root], voices: Voices) -> tuple[list[Deed], list[Step]
             assert step.verb is not None
             release = _release(step, step.verb, start)
             settled = _settled(step, step.verb, release, voices)
-            done.append(Deed(len(done), step, step.verb, node.face, start, settled, release, names))
+            done.append(Deed(before + len(done), step, step.verb, node.face, start, settled, release, names))
     return done, late
 
 

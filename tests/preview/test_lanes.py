@@ -17,10 +17,10 @@ from facescript.compile import Compiled, compile_source
 from facescript.plot.acts import Bar
 from facescript.preview.curves import EVERY, curves
 from facescript.preview.lanes import MOST_ROWS, rows, timeline
-from facescript.preview.messages import head_of
 from facescript.preview.places import Units
 from facescript.speech.estimate import EstimatedVoice
 from facescript.text import Source
+from facescript.web.messages import head_of
 from facescript.world import World
 
 SCRIPT = """\

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from facescript.diagnostics.catalogue.addresses import ADDRESSES
 from facescript.diagnostics.catalogue.command import COMMAND
 from facescript.diagnostics.catalogue.files import FILES
 from facescript.diagnostics.catalogue.gaze import GAZE
 from facescript.diagnostics.catalogue.kinds import KINDS
 from facescript.diagnostics.catalogue.later import LATER
+from facescript.diagnostics.catalogue.live import LIVE
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.catalogue.names import NAMES
 from facescript.diagnostics.catalogue.pages import PAGES
@@ -21,7 +23,23 @@ from facescript.text import Span
 
 CATALOGUE: dict[str, Entry] = {
     entry.code: entry
-    for family in (SYNTAX, NAMES, KINDS, VALUES, TIME, SPEECH, RECORDINGS, GAZE, FILES, LATER, COMMAND, PAGES, PROGRAMS)
+    for family in (
+        SYNTAX,
+        NAMES,
+        KINDS,
+        VALUES,
+        TIME,
+        SPEECH,
+        RECORDINGS,
+        GAZE,
+        FILES,
+        LATER,
+        COMMAND,
+        PAGES,
+        PROGRAMS,
+        ADDRESSES,
+        LIVE,
+    )
     for entry in family
 }
 

@@ -1,0 +1,56 @@
+"""The motions of one face, each from an event on, to its poses at any later time."""
+
+from __future__ import annotations
+
+from math import inf, nextafter
+
+import numpy as np
+
+from facescript.live.run.seams import Seam, asked_of, flat, seam
+from facescript.motion.compose import compose
+from facescript.motion.drivers import Floats
+from facescript.motion.perform import FaceMotion
+from facescript.performance.performance import Frames
+
+
+class FaceCurves:
+    """One face of a run: its motion as of now, and the seams to those before it. Scenes are gone over into, too: a face
+    that somebody stands before does not jump where a film is cut."""
+
+    def __init__(self, motion: FaceMotion) -> None:
+        self.motion = motion
+        self._seams: list[Seam] = []
+        self._joined = 0.0
+
+    def turn(self, time: float, motion: FaceMotion) -> None:
+        """Move by another motion from `time` (s) on; nothing before it is asked for any more."""
+        before = nextafter(time, -inf)
+        self._seams = [one for one in self._seams if one.time < time < one.end]
+        self._join_scenes(before)
+        old, new = (flat(one.asked(np.array([before])))[:, 0] for one in (self.motion, motion))
+        self._join(time, old, new)
+        self.motion, self._joined = motion, before
+
+    def sample(self, times: Floats) -> Frames:
+        """Poses at `times` (s, sorted, not before the last turn): array[n, channel]."""
+        self._join_scenes(float(times[-1]))
+        values = self._values(times)
+        for one in self._seams:
+            one.onto(values, times)
+        return compose(asked_of(values))
+
+    def _values(self, times: Floats) -> Floats:
+        return flat(self.motion.asked(times))
+
+    def _join_scenes(self, until: float) -> None:
+        """Go over into the scenes that begin up to a time."""
+        for start in self.motion.gaze.starts.tolist():
+            if self._joined < start <= until:
+                before, after = self._values(np.array([nextafter(start, -inf), start])).T
+                self._join(start, before, after)
+        self._joined = max(self._joined, until)
+
+    def _join(self, time: float, before: Floats, after: Floats) -> None:
+        found = seam(time, before, after)
+        if found is not None:
+            self._seams.append(found)

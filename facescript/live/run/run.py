@@ -1,0 +1,149 @@
+"""A run of a play: what happens goes in, and what its faces do comes out, frame by frame."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import ceil
+
+import numpy as np
+
+from facescript.ir.acts import Do, Say
+from facescript.ir.play import Play
+from facescript.live.model import Frame, Happening, Layout, Mark, Sighting, Utterance
+from facescript.live.run.curves import FaceCurves
+from facescript.live.run.telling import Marks, Utterances, of_event
+from facescript.motion.drivers import Floats
+from facescript.motion.perform import FaceMotion, perform
+from facescript.schedule.labels import nodes
+from facescript.schedule.onwards import Onwards
+from facescript.schedule.score import Score
+from facescript.speech.model import VoiceBox
+
+STEP, STEPS = 4.0, 3
+"""The horizon moves every so many seconds, and lies so many steps beyond the one that a time is in."""
+
+BLOCK = 6
+"""So many frames are worked out at once: numpy takes for one nearly as long as for six."""
+
+CLOSE = 1e-9
+"""Seconds within which an event is at a frame's time."""
+
+
+class Run:
+    """A play that goes on until nobody asks for frames any more.
+
+    Frames are asked for in rising order; some may be skipped. What comes out is a function of the play, `fps`, and
+    what was heard and seen at which times: neither a clock nor chance has a part in it. Raises `VoiceFailure` where the
+    first lines cannot be spoken.
+    """
+
+    def __init__(self, play: Play, voice: VoiceBox, fps: float = 60.0) -> None:
+        self._fps = fps
+        self._onwards = Onwards(play, voice)
+        self._speak(play)
+        self._time, self._solved = 0.0, 0.0
+        self._waiting: list[Happening] = []
+        self._heeded: list[Mark] = []
+        self._marks, self._utterances = Marks(), Utterances()
+        self.score = self._onwards.solve(STEPS * STEP)
+        performance = perform(self.score)
+        self._seen = {face.name: face for face in play.faces if face.seen}
+        self._curves = {name: FaceCurves(self._motion(self.score, name)) for name in self._seen}
+        self._columns = performance.columns
+        self.layout = Layout(
+            fps, tuple(self._seen), performance.names, performance.channels, play.film.title, play.film.seed
+        )
+        self._block: tuple[int, Floats] = (0, np.empty((0, len(self.layout.names))))
+
+    def _speak(self, play: Play) -> None:
+        """Have every line of the play spoken, so that none is waited for when it is due."""
+        for block in (*(scene.body for scene in play.scenes), *(one.body for one in play.reactions)):
+            for node, _ in nodes(block):
+                if isinstance(node, Do) and isinstance(node.verb, Say):
+                    self._onwards.voices.speak(node.verb, node.span)
+
+    def _motion(self, score: Score, name: str) -> FaceMotion:
+        return FaceMotion(score, self._seen[name])
+
+    # ------------------------------------------------------------------------------------------------ what goes in
+
+    def hear(self, event: Happening) -> None:
+        """Something happens at a time of the run, s; before the last frame's time is at it."""
+        event = replace(event, time=max(event.time, self._time))
+        self._waiting.append(event)
+        self._waiting.sort(key=lambda one: one.time)
+
+    def see(self, sighting: Sighting) -> None:
+        """Somebody is at a place at a time of the run."""
+
+    # ------------------------------------------------------------------------------------------------ what comes out
+
+    def frame(self, number: int) -> Frame:
+        """The frame of a number, which is not below that of the last."""
+        time = number / self._fps
+        self._advance(time)
+        self._time = time
+        return Frame(number, time, self._row(number))
+
+    def marks(self, time: float) -> list[Mark]:
+        """What began since the last call up to a time, the last frame's at most."""
+        heeded = [mark for mark in self._heeded if mark.time <= time]
+        self._heeded = [mark for mark in self._heeded if mark.time > time]
+        return self._marks.tell(self.score, heeded, time)
+
+    def utterances(self, time: float) -> list[Utterance]:
+        """The lines that are about to sound at a time, the last frame's at most, and those that break off."""
+        return self._utterances.tell(self.score, time)
+
+    # ------------------------------------------------------------------------------------------------ how it goes on
+
+    def _advance(self, time: float) -> None:
+        """Take in all that happens up to a time, each in its turn."""
+        while True:
+            step = (self._solved // STEP + 1.0) * STEP
+            event = self._waiting[0].time if self._waiting else np.inf
+            if min(step, event) > time + CLOSE:
+                return
+            if event < step:
+                self._take(self._number(event))
+            else:
+                self._solved = step
+                self._solve(step)
+
+    def _number(self, time: float) -> int:
+        """The number of the first frame that shows what happens at a time."""
+        return ceil(time * self._fps - CLOSE)
+
+    def _take(self, number: int) -> None:
+        """Heed the events that one frame is the first to show, at once."""
+        now = [event for event in self._waiting if self._number(event.time) == number]
+        self._waiting = self._waiting[len(now) :]
+        heeded = [self._onwards.heed(event) for event in now]
+        self._heeded += (of_event(event) for event, waited in zip(now, heeded, strict=True) if waited)
+        if any(heeded):
+            self._solve(now[0].time)
+
+    def _solve(self, time: float) -> None:
+        """Go on from a time by what is known now."""
+        self.score = self._onwards.solve((self._solved // STEP + STEPS) * STEP)
+        for name, curves in self._curves.items():
+            curves.turn(time, self._motion(self.score, name))
+        self._block = (0, self._block[1][:0])
+
+    # ------------------------------------------------------------------------------------------------ frames
+
+    def _row(self, number: int) -> Floats:
+        first, rows = self._block
+        if not first <= number < first + len(rows):
+            first, rows = number, self._sample(number)
+            self._block = first, rows
+        row: Floats = rows[number - first]
+        return row
+
+    def _sample(self, number: int) -> Floats:
+        """The frames from one to the end of its block."""
+        last = (number // BLOCK + 1) * BLOCK
+        times = np.arange(number, last) / self._fps
+        return np.concatenate(
+            [curves.sample(times)[:, self._columns[name]] for name, curves in self._curves.items()], 1
+        )
