@@ -133,6 +133,11 @@ class Turned:
         """At so many times, nothing is turned."""
         return cls(np.zeros((count, 3)), np.zeros(count), np.zeros((count, 2, 3)), np.zeros(count))
 
+    @classmethod
+    def of_eyes(cls, eyes: Floats, share: Floats) -> Turned:
+        """Where the eyes are turned alone."""
+        return cls(np.zeros((len(share), 3)), np.zeros(len(share)), eyes, share)
+
     def lay(self, window: slice, other: Turned) -> None:
         """What is turned in a stretch of the times."""
         for own, its in zip(
