@@ -24,7 +24,7 @@ UNSENT = 20
 QUEUED = 200
 """Marks and lines that wait while the broker is away."""
 
-TOPIC = "facescript"
+TOPIC = "face"
 
 
 class MqttSink(Counting):
