@@ -26,7 +26,7 @@ from facescript.live.gate import Gate
 from facescript.live.log import FASTEST, Head, Log, LogFault, Recorded, Replay, open_log
 from facescript.live.loop import Keeper, Loop
 from facescript.live.onsets import Onsets
-from facescript.live.opening import fingerprint, open_play, waits
+from facescript.live.opening import check, fingerprint, open_play, waits
 from facescript.live.ports import Ports
 from facescript.live.run.run import Run
 from facescript.live.show import Show
@@ -35,8 +35,9 @@ from facescript.live.sinks.setting import Setting as Going
 from facescript.live.sources.registry import open_source
 from facescript.live.sources.setting import Setting as Coming
 from facescript.project import STANDARD, open_script
+from facescript.speech.model import VoiceBox
 from facescript.speech.studio import open_studio
-from facescript.world import ReadWorld, WorldFailure
+from facescript.world import ReadWorld, World, WorldFailure
 
 if TYPE_CHECKING:
     from facescript.live.page.page import Page
@@ -86,8 +87,11 @@ def run(options: argparse.Namespace) -> int:
         return refuse("FS901", name=options.script, reason=fault.args[0])
     read = ReadWorld(world.root)
     play, told = open_play(source, read, orders.chosen)
+    voice = open_studio(world)
+    if play is not None:
+        check(play, voice, told)
     code = show(told, hints=False)
-    if play is None:
+    if play is None or code:
         return code or FAULTS
     values, seed = dict(orders.chosen.overrides), play.film.seed
     head = Head(source.name, fingerprint(source, read), seed, orders.fps, __version__, time.time(), values)
@@ -95,7 +99,7 @@ def run(options: argparse.Namespace) -> int:
         raise OptionFault("FS974", name=options.replay, script=options.script, other=orders.recorded.head.script)
     try:
         with ExitStack() as files:
-            asyncio.run(_run(orders, play, read, _keepers(orders, head, files)))
+            asyncio.run(_run(orders, play, read, voice, _keepers(orders, head, files)))
     except AddressFault as fault:
         raise OptionFault(fault.code, **fault.values) from None
     return 0
@@ -163,12 +167,12 @@ def _opened(name: str, files: ExitStack) -> TextIO:
         raise OptionFault("FS903", path=name, reason=fault.strerror or "it cannot be written") from None
 
 
-async def _run(orders: Orders, play: Play, world: ReadWorld, keepers: list[Keeper]) -> None:
+async def _run(orders: Orders, play: Play, world: World, voice: VoiceBox, keepers: list[Keeper]) -> None:
     """Raises `AddressFault`."""
     clock: Clock = SimulatedClock() if orders.hasty else WallClock()
     gate = Gate(clock, orders.fps, waits(play), tell)
     feed = gate if orders.recorded is None else Replay(orders.recorded)
-    performer = Run(play, open_studio(world), orders.fps)
+    performer = Run(play, voice, orders.fps)
     sinks = {address: open_sink(address, Going(orders.token, orders.hasty, tell)) for address in orders.sinks}
     pages = _pages(orders, play, world, performer)
     sinks |= pages

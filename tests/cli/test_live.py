@@ -138,10 +138,28 @@ def test_what_cannot_be_is_told(words: list[str], code: str, capsys: Captured) -
     assert code in capsys.readouterr().err
 
 
-def test_faults_of_the_script_are_told(capsys: Captured) -> None:
-    Path("kiosk.face").write_text("smiel\n", "utf-8")
+@pytest.mark.parametrize(
+    ("script", "code"),
+    [
+        ("smiel\n", "FS201"),
+        ("at a.end: nod as b\nat b.end: nod as a\n", "FS405"),
+        ('face ada = woman, voice en-us nobody\nnod\nwhen heard "no":\n    say "Oh."\n', "FS501"),
+    ],
+)
+def test_faults_of_the_script_are_told_before_it_runs(script: str, code: str, capsys: Captured) -> None:
+    Path("kiosk.face").write_text(script, "utf-8")
     assert main(["live", "kiosk.face", "--for", "1"]) == 1
-    assert "kiosk.face:1:1" in capsys.readouterr().err
+    told = capsys.readouterr()
+    assert code in told.err and told.out == ""
+
+
+def test_a_scene_that_only_an_event_brings_is_no_fault(capsys: Captured) -> None:
+    scenes = (
+        'scene wait:\n    repeat forever:\n        nod\nscene visit:\n    shake\nwhen key "q":\n    blink\n    stop\n'
+    )
+    Path("kiosk.face").write_text(scenes, "utf-8")
+    assert main(["live", "kiosk.face", "--for", "0.1", "--to", "csv:run.csv"]) == 0
+    assert "FS4" not in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
