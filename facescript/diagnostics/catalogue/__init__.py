@@ -16,6 +16,7 @@ from facescript.diagnostics.catalogue.programs import PROGRAMS
 from facescript.diagnostics.catalogue.recordings import RECORDINGS
 from facescript.diagnostics.catalogue.speech import SPEECH
 from facescript.diagnostics.catalogue.syntax import SYNTAX
+from facescript.diagnostics.catalogue.talk import TALK
 from facescript.diagnostics.catalogue.time import TIME
 from facescript.diagnostics.catalogue.values import VALUES
 from facescript.diagnostics.model import Diagnostic, Fix, Related
@@ -30,6 +31,7 @@ CATALOGUE: dict[str, Entry] = {
         VALUES,
         TIME,
         SPEECH,
+        TALK,
         RECORDINGS,
         GAZE,
         FILES,
