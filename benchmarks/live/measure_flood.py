@@ -11,9 +11,10 @@ from collections.abc import Callable, Iterator
 
 from _running import Running
 from row import Row
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-SECONDS = 8.0
+SECONDS = 5.0
 RATE = 10_000
 """Events a second."""
 
@@ -57,7 +58,7 @@ def _paced(send: Callable[[int], None], ended: threading.Event) -> None:
             while count < due:
                 send(count)
                 count += 1
-        except (OSError, ValueError):
+        except (OSError, ValueError, ConnectionClosed):
             return
         time.sleep(0.01)
 
