@@ -77,7 +77,7 @@ class Gate:
             self._counts["taken" if why is None else why if why == SAME else f"refused: {why}"] += 1
         if strange:
             told = f'{happening.kind} "{happening.text}"'
-            self._tell(f"no `when` of the script waits for {told}; it is counted, and told of this once")
+            self._tell(f"No `when` of the script waits for {told}; it is counted, and told of this once.")
         return None if why == SAME else why
 
     def sighting(self, sighting: Sighting) -> str | None:

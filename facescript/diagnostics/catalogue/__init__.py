@@ -8,6 +8,7 @@ from facescript.diagnostics.catalogue.files import FILES
 from facescript.diagnostics.catalogue.gaze import GAZE
 from facescript.diagnostics.catalogue.kinds import KINDS
 from facescript.diagnostics.catalogue.later import LATER
+from facescript.diagnostics.catalogue.live import LIVE
 from facescript.diagnostics.catalogue.model import Entry
 from facescript.diagnostics.catalogue.names import NAMES
 from facescript.diagnostics.catalogue.pages import PAGES
@@ -39,6 +40,7 @@ CATALOGUE: dict[str, Entry] = {
         PAGES,
         PROGRAMS,
         ADDRESSES,
+        LIVE,
     )
     for entry in family
 }
