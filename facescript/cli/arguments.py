@@ -146,6 +146,8 @@ def _live(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--from", dest="sources", action="append", default=[], metavar="ADDRESS", help=coming)
     going = "where the stream goes, - (lines of JSON) where none is said; repeat"
     parser.add_argument("--to", action="append", default=[], metavar="ADDRESS", help=going)
+    shown = "show it as a page that fills a screen, at this port of this machine"
+    parser.add_argument("--page", nargs="?", const="", metavar="PORT", help=shown)
     parser.add_argument("--fps", metavar="N", help="frames a second, 60")
     parser.add_argument("--for", dest="long", metavar="TIME", help="end after so long, 10min")
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="give a `let` another value")

@@ -85,9 +85,8 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
     page, font = page_wish(options, world, compiled.source.text), font_named(options.font)
     captions = options.captions or "sentences"
-    return Job(
-        play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page, captions, font, options.face
-    )
+    manner = min(jobs, MOST_JOBS), progress.step, page, captions, font, options.face
+    return Job(play, score, world.read, start, end, at, *manner)
 
 
 def _moment(options: argparse.Namespace, duration: float) -> float | None:

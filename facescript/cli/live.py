@@ -9,13 +9,14 @@ import sys
 import time
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from math import inf
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from facescript import __version__
 from facescript.cli.report import FAULTS, OptionFault, refuse, show
-from facescript.cli.settings import rate, seconds, settings
+from facescript.cli.settings import port, rate, seconds, settings
 from facescript.cli.trials import trial
 from facescript.compile import Settings
 from facescript.ir.play import Play
@@ -37,6 +38,9 @@ from facescript.project import STANDARD, open_script
 from facescript.speech.model import VoiceBox
 from facescript.speech.studio import open_studio
 from facescript.world import ReadWorld, World, WorldFailure
+
+if TYPE_CHECKING:
+    from facescript.live.page.page import Page
 
 USUAL = 60.0
 """Frames a second."""
@@ -66,7 +70,12 @@ class Orders:
 
     @property
     def sinks(self) -> list[str]:
-        return list(dict.fromkeys(self.options.to)) or ["-"]
+        return list(dict.fromkeys(self.options.to)) or (["-"] if self.options.page is None else [])
+
+    @property
+    def port(self) -> int | None:
+        """The page's port; None for the usual one. Raises `OptionFault`."""
+        return port("--page", self.options.page or None)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -165,15 +174,31 @@ async def _run(orders: Orders, play: Play, world: World, voice: VoiceBox, keeper
     feed = gate if orders.recorded is None else Replay(orders.recorded)
     performer = Run(play, voice, orders.fps)
     sinks = {address: open_sink(address, Going(orders.token, orders.hasty, tell)) for address in orders.sinks}
+    pages = _pages(orders, play, world, performer)
+    sinks |= pages
     loop, ports = Loop(performer, clock, feed, sinks.values(), keepers), Ports()
     evening = Show(loop, gate, sinks, ports)
     coming = Coming(play, world, clock, ports, orders.token, tell, evening.status)
-    evening.sources = {address: open_source(address, coming) for address in dict.fromkeys(orders.options.sources)}
+    sources = {address: open_source(address, coming) for address in dict.fromkeys(orders.options.sources)}
+    evening.sources = sources | pages
     try:
         await evening.run(orders.seconds, tell)
     finally:
         for line in evening.summary():
             tell(line)
+
+
+def _pages(orders: Orders, play: Play, world: ReadWorld, run: Run) -> dict[str, Page]:
+    """The page, where one is wanted, by the option that wants it. Raises `OptionFault`."""
+    if orders.options.page is None:
+        return {}
+    if find_spec("websockets") is None:
+        raise OptionFault("FS960", command="live --page", extra="live")
+    from facescript.live.page.page import Page  # it draws
+
+    name = Path(orders.options.script).name
+    page = Page(play, name, lambda: run.score, world.read, orders.port, tell)
+    return {f"--page {orders.options.page}".strip(): page}
 
 
 def tell(text: str) -> None:

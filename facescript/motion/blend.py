@@ -12,11 +12,16 @@ from facescript.performance.limits import KNEE as KNEE
 from facescript.performance.limits import LID_FLOOR as LID_FLOOR
 from facescript.performance.limits import gaze_on_lid as gaze_on_lid
 from facescript.performance.limits import soft_limit as soft_limit
+from facescript.space.main_sequence import HEAD_CEILING
 from facescript.space.reach import EYE_DOWN, EYE_SIDE, EYE_UP
 
-HEAD_EASE = 3.0
+HEAD_EASE = 5.2
 """Degrees before the end of the head's range from which it is slowed, and as many beyond that are asked for until it is
-there: a head that comes up at 245 deg/s is slowed by 10 deg/s in a millisecond at most."""
+there: a head that comes up at 320 deg/s is slowed by 10 deg/s in a millisecond at most."""
+
+YIELDING = 0.45
+"""How much smaller a gesture of the head is while gaze turns it as fast as it may: a shake alone goes at 210 deg/s,
+gaze at up to 185, and a head never at more than 320."""
 
 WIDENED, PRESSED = 0.4, 0.5
 """How much an open mouth or jaw that is shown widens those of speech, and pressed lips narrow them."""
@@ -63,6 +68,13 @@ def speak_over(shown: Floats, spoken: Floats, activity: Floats, pressed: Floats)
     wider = 1.0 + WIDENED * np.clip(shown, 0.0, 1.0)
     narrower = 1.0 - PRESSED * np.clip(pressed, 0.0, 1.0)
     return shown * (1.0 - activity) + spoken * wider * narrower * activity
+
+
+def giving_way(gesture: Floats, speed: Floats) -> Floats:
+    """Rule 6: what a gesture asks of the head, array[axis, n], while gaze turns it at `speed` (deg/s, array[n])."""
+    haste = np.square(speed / HEAD_CEILING)
+    smaller: Floats = gesture * (1.0 - YIELDING * 2.0 * haste / (1.0 + haste))
+    return smaller
 
 
 def turn_within(gaze: Floats, added: Floats, limit: float) -> Floats:

@@ -1,41 +1,53 @@
-"""A play that goes on to its score: its events come one by one, and it is solved as far as a horizon."""
+"""A play that goes on to its score: its events come one by one, it is solved as far as a horizon, and forgets."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
+from facescript.ir.acts import Glance, Look, Say, Scan
 from facescript.ir.play import Play, Reaction
+from facescript.schedule.deeds import Deed, Sounding
+from facescript.schedule.drops import Key as Term
 from facescript.schedule.drops import take_off
 from facescript.schedule.events import Happening, Trigger, heeds, planted
 from facescript.schedule.facts import Facts
 from facescript.schedule.faults import Faults
 from facescript.schedule.film import Placed, Timed
+from facescript.schedule.forgetting import Forgetting, begin_of
 from facescript.schedule.labels import Labels
 from facescript.schedule.lengths import Lengths
 from facescript.schedule.looks import Gaze, landings, scene_at
 from facescript.schedule.means import Means
-from facescript.schedule.part import Cost, Opening, Part
+from facescript.schedule.part import Cost, Opening, Part, Written
 from facescript.schedule.presence import Coming, Presence
 from facescript.schedule.round import Begin, Round
 from facescript.schedule.rules import Times
-from facescript.schedule.score import Score
-from facescript.schedule.steps import NEVER, Maker, Past, Root
+from facescript.schedule.score import Score, TimedAct, TimedLine
+from facescript.schedule.steps import DONE, NEVER, START, Key, Maker, Past, Root
 from facescript.schedule.voices import Voices
+from facescript.schedule.worn import Worn, still_worn, worn
 from facescript.schedule.writing import Writing
 from facescript.space.plan import GazePlan
+from facescript.space.planner import GazeRequest, Planning, plan_gaze
 from facescript.space.room import Room
 from facescript.speech.model import VoiceBox
 
 STATEMENTS = 200_000
 """Statements that one solution may come to."""
 
-ROUNDS = 12
+ROUNDS = 60
 """So many rounds of solving at most: what is known after them is taken as it is, for the face goes on."""
 
 BEYOND = 10.0
 """Seconds that a score is told to last beyond its horizon: life foresees nothing that is further away."""
+
+TAIL = 6.0
+"""Seconds that a line is still told of when it is over: mouth and life come to rest."""
+
+PACED = 4096
+"""Verbs of which it is kept how fast heads and eyes can do them."""
 
 
 Told = Callable[[Happening], Iterable[tuple[int, Reaction]]]
@@ -59,18 +71,32 @@ class Heeded:
 
 @dataclass(frozen=True, slots=True)
 class Outlook:
-    """What a solution comes to: the round, the gaze shifts by the orders of the deeds, the terms that drops let go."""
+    """What a solution comes to: the round, the deeds that count (of statements that are over, too), the gaze shifts and
+    the terms that drops let go by the orders of the deeds, the lines as they sound, and what each is told as."""
 
     round: Round
+    deeds: list[tuple[Deed, Worn | None]]
     plans: dict[int, tuple[GazePlan, ...]]
-    drops: dict[int, tuple[tuple[int, int], ...]]
+    drops: dict[int, tuple[Term, ...]]
+    acts: list[TimedAct] = field(default_factory=list)
+    lines: list[tuple[Sounding, TimedLine]] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class Earlier:
+    """What one face did in its scene that is not told of any more: how often it said which text, made which shift of
+    gaze, and had which life."""
+
+    said: Counter[str] = field(default_factory=Counter)
+    shifted: Counter[str] = field(default_factory=Counter)
+    lived: Counter[str] = field(default_factory=Counter)
 
 
 class Onwards:
     """A play whose `event` lines and length do not count: it lasts for ever, and is told what happens.
 
     What was solved of the time before an event is solved so again after it, for nothing in the law of time asks for
-    what comes later; the events alone decide.
+    what comes later; the events alone decide. So what is over can be forgotten, and nothing grows.
     """
 
     def __init__(self, play: Play, voice: VoiceBox, told: Told = nothing) -> None:
@@ -86,6 +112,10 @@ class Onwards:
         self._comings: list[Coming] = []
         self._counts: Counter[int] = Counter()
         self._ranks = 0
+        self._worn: list[Worn] = []
+        self._lines: list[TimedLine] = []
+        self._gazes: dict[str, Planning] = {}
+        self._outlook: Outlook | None = None
 
     def heed(self, event: Happening) -> bool:
         """An event, at a time that is not before that of the last one; whether any reaction waits for it."""
@@ -101,6 +131,7 @@ class Onwards:
         for before in self._heeded:
             if before.trigger.number == number and before.limit == NEVER:
                 before.limit = event.time
+        self._worn = [one.at(event.time) if one.reaction == number else one for one in self._worn]
         self._counts[number] += 1
         self._ranks += 1
         trigger = Trigger(event.time, number, reaction, event.person)
@@ -114,16 +145,15 @@ class Onwards:
         return self._score(self._outlook, horizon + BEYOND)
 
     def _at_rest(self, horizon: float) -> Outlook:
-        facts = Facts()
-        outlook = None
+        facts = Facts(looks=dict(self._past.looks))
         for _ in range(ROUNDS):
             solved = self._round(facts, horizon)
             learned = replace(facts, delays=solved.delays(), holds=solved.holds())
             if learned == facts:
                 outlook = self._seen(solved)
-                learned = replace(facts, looks=landings(solved.done, outlook.plans))
-            if learned == facts and outlook is not None:
-                return outlook
+                learned = replace(facts, looks=landings(solved.done, outlook.plans) | self._past.looks)
+                if learned == facts:
+                    return outlook
             facts = learned
         return self._seen(solved)
 
@@ -133,7 +163,8 @@ class Onwards:
         lengths = Lengths(self._means.concrete, presence, facts, self._means.paced)
         times = Times(lengths, self.voices, self._labels, self.faults, horizon=horizon)
         maker = Maker(self.play.film.seed, STATEMENTS, self._past)
-        solved = Round(self.play, times, maker, NEVER, begin=self._begin)
+        orders = max((one.deed.order + 1 for one in self._worn), default=0)
+        solved = Round(self.play, times, maker, NEVER, begin=self._begin, orders=orders)
         solved.run([one.trigger for one in self._heeded], self._roots(maker))
         return solved
 
@@ -143,16 +174,61 @@ class Onwards:
 
     def _seen(self, solved: Round) -> Outlook:
         starts = solved.starts()
-        drops, _ = take_off((deed, scene_at(starts, deed)) for deed in solved.done)
+        deeds: list[tuple[Deed, Worn | None]] = [(replace(one.deed), one) for one in self._worn]
+        deeds += ((deed, None) for deed in solved.done if deed.start >= self._begin.start)
+        drops, _ = take_off((deed, scene_at(starts, deed)) for deed, _ in deeds)
+        return Outlook(solved, deeds, self._gaze(solved, deeds), drops)
+
+    # ------------------------------------------------------------------------------------------------ gaze
+
+    def _gaze(self, solved: Round, deeds: list[tuple[Deed, Worn | None]]) -> dict[int, tuple[GazePlan, ...]]:
+        """The shifts of each deed by its order; those that have begun stay as they are."""
+        starts = solved.starts()
+        orders = {_key(deed, known): deed.order for deed, known in deeds}
+        plans: dict[int, tuple[GazePlan, ...]] = {}
+        for name, requests in self._requests(solved, deeds).items():
+            now = [request for request in requests if request.scene == 0]
+            found = self._planning(name).fork().plan(now)
+            later = [request for request in requests if request.scene > 0]
+            found |= plan_gaze(self.room, self._means.faces[name], later, starts)
+            for key in sorted(found):
+                order = orders.get(key[0])  # type: ignore[arg-type]
+                if order is not None:
+                    plans[order] = (*plans.get(order, ()), *found[key])
+        return plans
+
+    def _planning(self, name: str) -> Planning:
+        if name not in self._gazes:
+            self._gazes[name] = Planning(self.room, self._means.faces[name], self._begin.start)
+        return self._gazes[name]
+
+    def _requests(
+        self, solved: Round, deeds: list[tuple[Deed, Worn | None]]
+    ) -> Mapping[str, list[GazeRequest]]:
+        """What deeds ask of each face's eyes and head; they are known by the places of their steps."""
+        starts = solved.starts()
         gaze = Gaze(self._means.faces, solved.times.lengths.presence, self.play.film.seed)
-        return Outlook(solved, gaze.plan(solved.done, starts), drops)
+        found: dict[str, list[GazeRequest]] = {}
+        for deed, known in deeds:
+            if isinstance(deed.verb, (Look, Glance, Scan)) and deed.face is not None:
+                scene = scene_at(starts, deed)
+                asked = gaze.requests(deed, scene, starts[scene])
+                key = _key(deed, known)
+                found.setdefault(deed.face, []).extend(replace(one, key=(key, one.key[1])) for one in asked)
+        return found
 
     # ------------------------------------------------------------------------------------------------ what it gives
 
     def _score(self, outlook: Outlook, lasts: float) -> Score:
         solved = outlook.round
-        sounds = list(solved.sounds())
-        written = Writing(solved, sounds, self.play.film.seed, outlook.plans, outlook.drops).written()
+        starts = solved.starts()
+        writing = Writing(solved, (), self.play.film.seed, outlook.plans, outlook.drops)
+        for deed, known in outlook.deeds:
+            plan, drops = outlook.plans.get(deed.order, ()), outlook.drops.get(deed.order, ())
+            outlook.acts.append(known.written(deed, plan, drops) if known else writing.act(deed, starts))
+        outlook.lines.extend((sound, writing.line(sound)) for sound in solved.sounds())
+        lines = (*self._lines, *(line for _, line in outlook.lines))
+        written = Written(tuple(outlook.acts), lines, (), (), lasts)
         openings = tuple(Opening(played.scene, played.root.start) for played in solved.scenes)
         part = Part(openings, written, solved.end, False, False, (), (), (NEVER, False), Cost())
         score = Timed(self.play, (Placed(part, 0.0, 0),), lasts).score()
@@ -162,3 +238,108 @@ class Onwards:
             for number, (scene, opening) in enumerate(zip(score.scenes, openings, strict=True))
         )
         return replace(score, scenes=tuple(scenes))
+
+    # ------------------------------------------------------------------------------------------------ forgetting
+
+    def forget(self, time: float) -> None:
+        """What is over by a time is not solved again. All events before that time have been heeded."""
+        outlook = self._outlook
+        if outlook is None:
+            return
+        solved = outlook.round
+        begin = begin_of(solved, time)
+        forgetting = Forgetting(time)
+        for played in solved.scenes[begin.played - self._begin.played :]:
+            forgetting.tree(played.root)
+        for root in solved.reactions:
+            forgetting.tree(root)
+        over = self._over(solved, forgetting)
+        self._forget_lines(outlook, forgetting)
+        self._forget_deeds(outlook, begin, forgetting, over)
+        self._forget_past(solved, forgetting, over, time)
+        self._begin = begin
+        self._heeded = [one for one in self._heeded if one.rank not in over]
+        if len(self._means.paced) > PACED:
+            self._means.paced.clear()
+
+    def _over(self, solved: Round, forgetting: Forgetting) -> set[int]:
+        """The ranks of the reactions that nothing hangs on any more."""
+        holds = {(hold.rank, hold.face): hold.end for hold in solved.holds().all}
+        ends = {rank: max(end for (one, _), end in holds.items() if one == rank) for rank, _ in holds}
+        waiting = [deed for deed in solved.done if id(deed.step) in forgetting.live and isinstance(deed.verb, Say)]
+        over: set[int] = set()
+        kept: set[int] = set()
+        for root, one in zip(solved.reactions, self._heeded, strict=True):
+            done = min(root.top.time(DONE), root.top.limit) < forgetting.time
+            done = done and ends.get(root.rank, 0.0) < forgetting.time and one.trigger.number not in kept
+            held = [holds[root.rank, deed.face] for deed in waiting if (root.rank, deed.face) in holds
+                    and deed.root.rank < root.rank
+                    and forgetting.said.get(id(deed.step), deed.start) < holds[root.rank, deed.face]]  # fmt: skip
+            if done and not held:
+                over.add(root.rank)
+            else:
+                kept.add(one.trigger.number)
+        return over
+
+    def _forget_lines(self, outlook: Outlook, forgetting: Forgetting) -> None:
+        """Lines that are not solved again are told of a little longer, and the last of each face as long as it is."""
+        for sound, line in outlook.lines:
+            step = id(sound.step)
+            if step not in forgetting.live or sound.start < forgetting.said.get(step, 0.0):
+                self._lines.append(line)
+        last = {line.face: line for line in sorted(self._lines, key=lambda line: line.end)}
+        self._lines = [
+            line for line in self._lines if line.end > forgetting.time - TAIL or line is last[line.face]
+        ]
+
+    def _forget_deeds(self, outlook: Outlook, begin: Begin, forgetting: Forgetting, over: set[int]) -> None:
+        numbers = {one.rank: one.trigger.number for one in self._heeded}
+        if begin.played != self._begin.played:
+            self._gazes.clear()
+        items: list[Worn] = []
+        orders: set[int] = set()
+        for (deed, known), act in zip(outlook.deeds, outlook.acts, strict=True):
+            if deed.start < begin.start:
+                continue
+            if known is not None:
+                items.append(replace(known, deed=deed, act=act))
+            elif id(deed.step) not in forgetting.live or deed.root.rank in over:
+                items.append(worn(deed, act, deed.step.key(), numbers.get(deed.root.rank)))
+            else:
+                orders.add(deed.order)
+        self._pass_gaze(outlook, begin, forgetting.time)
+        owners = {key[0] for gaze in self._gazes.values() for key in gaze.owners}
+        self._worn = list(still_worn(items, orders, owners, forgetting.time))  # type: ignore[arg-type]
+
+    def _pass_gaze(self, outlook: Outlook, begin: Begin, time: float) -> None:
+        """What was planned of gaze before the time stays."""
+        index = begin.played - self._begin.played
+        before, self._begin = self._begin, begin
+        for name, requests in self._requests(outlook.round, outlook.deeds).items():
+            own = [replace(request, scene=0) for request in requests if request.scene == index]
+            self._planning(name).pass_to(time, own)
+        self._begin = before
+
+    def _forget_past(self, solved: Round, forgetting: Forgetting, over: set[int], time: float) -> None:
+        past = forgetting.past
+        looks = landings(solved.done, self._outlook.plans) | self._past.looks  # type: ignore[union-attr]
+        past.looks = {key: looks[key] for key in past.starts if key in looks}
+        past.voiced = {
+            (hold.rank, hold.face): (hold.start, hold.delay)
+            for hold in solved.holds().all
+            if hold.start < time and hold.rank not in over
+        }
+        self._past = past
+        self._forget_comings(min((start for start in past.starts.values()), default=time))
+
+    def _forget_comings(self, time: float) -> None:
+        """Who came and left again is forgotten; who is there is known in the order of arrival."""
+        there = Presence(self.room, self._comings).people(time)
+        later = [coming for coming in self._comings if coming.time > time]
+        last = {coming.person: coming for coming in self._comings if coming.time <= time and coming.arrives}
+        self._comings = [*(last[person] for person in there), *later]
+
+
+def _key(deed: Deed, known: Worn | None) -> Key:
+    """Where a deed stands, the same in every solution."""
+    return known.key if known is not None else deed.step.key()

@@ -138,7 +138,8 @@ class Round:
     def holds(self) -> Holds:
         """Which voices the reactions have, when."""
         ends = _ends(self.reactions)
-        first: dict[tuple[int, str], tuple[float, float]] = {}
+        past = self.maker.past
+        first: dict[tuple[int, str], tuple[float, float]] = dict(past.voiced) if past is not None else {}
         for step, due, start in self.times.requests:
             assert isinstance(step.node, Do) and step.node.face is not None
             if due < step.limit:

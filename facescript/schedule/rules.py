@@ -139,7 +139,6 @@ class Times:
         """When a line has settled; its sayings and their cues are made on the way."""
         assert isinstance(step.node, Do)
         step.verb = say
-        self._again(step, start)
         spoken = self.voices.speak(say, step.node.span)
         holds = self.lengths.facts.holds.after(step.node.face or "", start, step.root.rank)
         step.sayings = sayings(start, spoken, step.limit, holds)
@@ -149,13 +148,6 @@ class Times:
             for number, (begin, cut) in enumerate(step.sayings, step.begun.first if step.begun else 0):
                 self._cues(step, say, number * len(say.cues), begin, NEVER if cut is None else cut, rough)
         return step.sayings[-1][0] + spoken.duration, rough
-
-    def _again(self, step: Step, start: float) -> None:
-        """A line of a reaction that began before what is solved has its face's voice since it was due."""
-        past = step.root.maker.past
-        if past is not None and (found := past.dues.get(step.key())):
-            due, waited = found
-            self.requests.append((step, due, due + waited))
 
     def _cues(self, step: Step, say: Say, first: int, begin: float, cut: float, rough: bool) -> None:
         """Make the cues of one saying that come to be before it is cut; `first` is the index of the first."""

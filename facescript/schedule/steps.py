@@ -22,24 +22,26 @@ Key = tuple[int, ...]
 
 @dataclass(frozen=True, slots=True)
 class Begun:
-    """A block, a `repeat` or a line of which the first statements, passes or sayings are over: how many (`first` is the
-    index of the next), when the last of them was `done`, and whether a line `moved` the sequence on last."""
+    """A block, a `repeat` or a line of which the `first` so many statements, passes or sayings are over: when the last
+    of them was `done`, and whether it was a `line` that moved the sequence on last."""
 
     first: int
-    done: float
-    line: bool
+    done: float = 0.0
+    line: bool = False
 
 
 @dataclass(slots=True)
 class Past:
     """What is over of a play that goes on, and is not solved again: the blocks that have `begun`, the `starts` of the
-    steps in them that are under way, when a line of a reaction was due (`dues`: then, and how long it waited), and the
-    steps that are `awaited` by name, by the block they stand in. All by the steps' keys."""
+    steps that have, how long `looks` take, and the steps that are `awaited` by name, by the block they stand in; all by
+    the steps' keys. `voiced` says since when a reaction (its rank) has a face's voice, and how long it waited for it.
+    """
 
     begun: dict[Key, Begun] = field(default_factory=dict)
     starts: dict[Key, float] = field(default_factory=dict)
-    dues: dict[Key, tuple[float, float]] = field(default_factory=dict)
+    looks: dict[Key, float] = field(default_factory=dict)
     awaited: dict[Key, tuple[Step, ...]] = field(default_factory=dict)
+    voiced: dict[tuple[int, str], tuple[float, float]] = field(default_factory=dict)
 
     def resume(self, step: Step) -> None:
         """A step that is made goes on from where it is."""

@@ -88,22 +88,37 @@ def _factors() -> tuple[Floats, Floats, Floats]:
 
 
 @cache
-def _solver() -> Solver:
+def _told() -> Floats:
+    """The factors that count on the way back."""
     told = matrix((row["made of"] if row["back"] == "yes" else "" for row in rows("arkit")), COLUMNS)
     told[:, [AT[name] for name in UNREAD]] = 0.0
+    return told
+
+
+@cache
+def _solver() -> Solver:
     low, high = limits()
     high[AT["mouth.lower"]] = high[AT["mouth.upper"]] = low[AT["mouth.wide"]] = 0.0
-    return Solver(told, low, high)
+    return Solver(_told(), low, high)
 
 
-def channels() -> tuple[str, ...]:
-    """The channels that come back from shapes, in the order of a pose."""
-    told = set(np.array(COLUMNS)[np.any(_solver().scaled != 0.0, axis=0)]) | set(BY_MEASURE)
-    return tuple(channel.name for channel in POSE if channel.name in told)
+def channels(told: tuple[str, ...] = NAMES) -> tuple[str, ...]:
+    """The channels that come back from the shapes `told`, in the order of a pose."""
+    rows_ = [INDEX[name] for name in told]
+    found = set(np.array(COLUMNS)[np.any(_told()[rows_] != 0.0, axis=0)])
+    for name, (shape, others) in BY_MEASURE.items():
+        found |= {name, *others} if shape in told else set()
+    for side in ("Left", "Right"):
+        if any(f"EyeLook{way}{side}" in told for way in ("Up", "Down", "In", "Out")):
+            found |= {f"eye.{side.lower()}.{axis}" for axis in ("yaw", "pitch", "roll")}
+    return tuple(channel.name for channel in POSE if channel.name in found)
 
 
-BY_MEASURE = (
-    *("lid.left", "lid.right", "mouth.open", "mouth.upper", "mouth.lower", "mouth.wide", "mouth.teeth"),
-    *("mouth.tongue",),
-)
-"""Channels that are told by measures."""
+BY_MEASURE = {
+    "lid.left": ("EyeBlinkLeft", ()),
+    "lid.right": ("EyeBlinkRight", ()),
+    "mouth.open": ("JawOpen", ("mouth.upper", "mouth.lower", "mouth.teeth")),
+    "mouth.wide": ("MouthFunnel", ()),
+    "mouth.tongue": ("TongueOut", ()),
+}
+"""Channels that are told by measures: of which shape each, and what comes with it."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,13 +29,24 @@ def shapes(poses: Floats) -> Floats:
     return np.clip(measured(poses) @ factors.T, low, high)
 
 
-def poses(shapes: Floats) -> Floats:
-    """array[n, 68] to array[n, POSE]: the channels that make these parameters, within their limits."""
-    columns = _solver()(np.asarray(shapes, dtype=np.float64))
+def poses(shapes: Floats, told: tuple[str, ...] = NAMES) -> Floats:
+    """array[n, 68] to array[n, POSE]: the channels that make these parameters, within their limits; of the parameters
+    only those `told` count. Channels that these do not tell of are at rest (`channels`)."""
+    rows_, solver = _solver(told)
+    columns = solver(np.asarray(shapes, dtype=np.float64)[:, rows_])
     found = posed(columns)
     mouth_from_lips(found, columns)
     teeth_shown(found)
     return found
+
+
+def channels(told: tuple[str, ...] = NAMES) -> tuple[str, ...]:
+    """The channels that come back from the parameters `told`, in the order of a pose: those most of which shows in
+    them."""
+    found = set(np.array(COLUMNS)[_held(_rows(told))])
+    if "lips.rise" in found:
+        found |= set(BY_MEASURE)
+    return tuple(channel.name for channel in POSE if channel.name in found)
 
 
 def made() -> NDArray[np.bool_]:
@@ -51,14 +62,21 @@ def _factors() -> tuple[Floats, Floats, Floats]:
     return factors, np.array([float(row["low"]) for row in table]), np.array([float(row["high"]) for row in table])
 
 
-@cache
-def _solver() -> Solver:
-    told = _factors()[0].copy()
-    told[:, AT["tongue.out"]] = 0.0
-    return Solver(told, *limits())
+def _rows(told: tuple[str, ...]) -> NDArray[np.intp]:
+    return np.array(sorted(INDEX[name] for name in told), dtype=np.intp)
 
 
-def channels() -> tuple[str, ...]:
-    """The channels that come back from parameters, in the order of a pose."""
-    told = set(np.array(COLUMNS)[np.any(_solver().scaled != 0.0, axis=0)]) | set(BY_MEASURE)
-    return tuple(channel.name for channel in POSE if channel.name in told)
+def _held(rows_: NDArray[np.intp]) -> NDArray[np.bool_]:
+    """The columns of which at least half of what they do is in these rows."""
+    factors = _factors()[0] / np.maximum(np.abs(_factors()[2]), 1.0)[:, None]
+    whole, seen = np.square(factors).sum(axis=0), np.square(factors[rows_]).sum(axis=0)
+    held: NDArray[np.bool_] = (whole > 0.0) & (seen >= 0.5 * whole)
+    held[AT["tongue.out"]] = False
+    return held
+
+
+@lru_cache(maxsize=8)
+def _solver(told: tuple[str, ...]) -> tuple[NDArray[np.intp], Solver]:
+    found = _rows(told)
+    factors = np.where(_held(found), _factors()[0][found], 0.0)
+    return found, Solver(factors, *limits())

@@ -1,7 +1,7 @@
 """Channels to the measures of lids, lips and tongue that other faces have shapes for, and measures back to channels.
 
 A lid's channel is how it is drawn, gaze included; a face elsewhere moves it with gaze by itself, so shapes want how far
-it is shut beyond that. A mouth's gap is one channel here; elsewhere the jaw opens it, lips hold it shut or part further.
+it is shut beyond that. A mouth's gap is one channel here; elsewhere the jaw opens it, lips hold it or part further.
 """
 
 from __future__ import annotations

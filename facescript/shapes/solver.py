@@ -1,4 +1,4 @@
-"""Rows of a table of shapes to the matrix that makes shapes of channels, and to what finds channels that make shapes."""
+"""Rows of a table of shapes to the matrix that makes shapes of channels, and to what finds channels for shapes."""
 
 from __future__ import annotations
 

@@ -39,6 +39,7 @@ def test_an_address_has_parts() -> None:
         ("osc://user@127.0.0.1:9000", "FS981", "it is not of this form"),
         ("osc://127.0.0.1:9000 ", "FS981", "it is not of this form"),
         ("ws://127.0.0.1:8765/there", "FS981", "`/there` has no meaning here"),
+        ("vmc://127.0.0.1?names=vrm2", "FS981", "`names` is `vrm0` or `vrm1`"),
         ("vts://127.0.0.1?face=", "FS981", "`face` has no value"),
         ("csv:", "FS981", "it has no name"),
         ("-:there", "FS981", "nothing may follow"),

@@ -59,6 +59,18 @@ KINDS = (
         "Open Sound Control: an address a channel",
     ),
     Kind(
+        "vmc",
+        f"{HERE}.vmc:VmcSink",
+        Form("vmc://127.0.0.1:39539", 39539, options={**ONE_FACE, "names": ("vrm0", "vrm1")}),
+        "VMC protocol: VSeeFace, Warudo, Unity, Blender",
+    ),
+    Kind(
+        "livelink",
+        f"{HERE}.livelink:LiveLinkSink",
+        Form("livelink://127.0.0.1:11111", 11111, options=ONE_FACE),
+        "Live Link: Unreal",
+    ),
+    Kind(
         "vts",
         f"{HERE}.vts:VTubeStudioSink",
         Form("vts://127.0.0.1:8001", 8001, options=ONE_FACE),

@@ -29,6 +29,9 @@ SOURCES: Mapping[str, Row] = {
     "http": Row("http", "http://127.0.0.1:8080", "websockets", "live"),
     "osc": Row("osc", "osc://127.0.0.1:9000"),
     "mqtt": Row("mqtt", "mqtt://127.0.0.1:1883/facescript", "paho", "mqtt"),
+    "camera": Row("camera", "camera:0", "cv2", "camera"),
+    "video": Row("camera", "video:visit.mp4", "cv2", "camera"),
+    "track": Row("track", "track:visit.csv"),
     "lsl": Row("lsl", "lsl://Markers", "pylsl", "lsl"),
 }
 
