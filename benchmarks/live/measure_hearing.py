@@ -18,20 +18,24 @@ from row import Row
 from facescript.ir.acts import Say, Voice
 from facescript.live.hearing.activity import RATE
 from facescript.live.hearing.ear import Ear
-from facescript.live.hearing.phrases import phrases, spelt
+from facescript.live.hearing.listening import LEAST
+from facescript.live.hearing.phrases import phrases, sounds_of
 from facescript.live.hearing.sphinx import Sphinx
-from facescript.live.sources.microphone import LEAST
 from facescript.speech.espeak.voicebox import process_voice
 from facescript.speech.sound.resample import resampled
 
 PHRASES = ("no", "thank you", "start", "goodbye", "play the film", "where is the lift")
 
-FOILS = """
-yes|hello|what time is it|I know that|now|not today|go on|show me|so what|nobody is here|the bus is late|stop it|dark|star
-thank goodness|good morning|play the game|the film was long|where is the gift|where is she|lift it up|I like this picture
-can you see me|look at that|mum I am hungry|it is raining again|one two three|note|smart|we were here last year
-I would like a coffee please|how much does it cost|wait for me|open the door
-""".replace("\n", "|").strip("|").split("|")
+FOILS = (
+    """
+yes|hello|what time is it|I know that|now|not today|go on|show me|nobody is here|the bus is late|stop it|dark|star
+good morning|play the game|where is the gift|lift it up|I like this picture|can you see me|it is raining again|note
+we were here last year|I would like a coffee please|how much does it cost|wait for me|open the door
+""".strip()
+    .replace("\n", "|")
+    .split("|")
+)
+"""What else is said; some of it sounds nearly like a phrase."""
 
 VOICES = (
     ("en-us", "", 1.0),
@@ -75,7 +79,7 @@ class Score:
 
 def rows() -> Iterator[Row]:
     known = phrases(PHRASES)
-    sphinx = Sphinx([(one.text, one.words) for one in known], spelt(known, process_voice()))
+    sphinx = Sphinx(known, lambda word: sounds_of(word, process_voice()))
     for noise in NOISES:
         whole = Score()
         for number, voice in enumerate(VOICES):

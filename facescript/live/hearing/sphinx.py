@@ -6,16 +6,16 @@ and one that knows only sounds. It is a phrase as far as the first explains it a
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import exp, log
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from pocketsphinx import Config, Decoder, LogMath, NGramModel, get_model_path
 
 from facescript.live.hearing.activity import HOP, Samples
 from facescript.live.hearing.ear import BEFORE, BEHIND
+from facescript.live.hearing.phrases import Phrase
 from facescript.live.hearing.rivals import COMMON, Sounds, read_dictionary, rivals
 
 WIDE: Mapping[str, Any] = {"beam": 1e-60, "pbeam": 1e-60, "compallsen": True, "bestpath": False, "loglevel": "FATAL"}
@@ -38,23 +38,25 @@ SHORTEST, LONGEST, MORE = 3, 16, 30
 
 
 class Sphinx:
-    """A `Recogniser`; `phrases` are texts with their words, `spelt` says how words are said that no dictionary has."""
+    """A `Recogniser`; `sounds` says how a word is said that no dictionary has."""
 
-    def __init__(self, phrases: Sequence[tuple[str, Sequence[str]]], spelt: Mapping[str, Sequence[str]]) -> None:
+    def __init__(self, phrases: Sequence[Phrase], sounds: Callable[[str], Sounds]) -> None:
         dictionary = read_dictionary(Path(get_model_path("en-us/cmudict-en-us.dict")))
-        ways = {word: dictionary.get(word) or [tuple(spelt[word])] for _, words in phrases for word in words}
-        self._texts = [text for text, _ in phrases]
-        self._lengths = [sum(len(ways[word][0]) for word in words) for _, words in phrases]
+        ways = {word: dictionary.get(word) or [sounds(word)] for one in phrases for word in one.words}
+        self._texts = [one.text for one in phrases]
+        self._lengths = [sum(len(ways[word][0]) for word in one.words) for one in phrases]
         lexicon = Lexicon()
         own = {word: lexicon.names(found) for word, found in ways.items()}
         often = _often()
-        near = {word: lexicon.names_of(rivals(found, dictionary, often, RIVALS), dictionary) for word, found in ways.items()}
+        near = {
+            word: lexicon.names_of(rivals(found, dictionary, often, RIVALS), dictionary) for word, found in ways.items()
+        }
         alone = lexicon.names_of([word for word in COMMON if word not in ways], dictionary)
-        strict = [" ".join(_any(own[word]) for word in words) for _, words in phrases]
-        loose = [" ".join(_any([*own[word], *near[word]]) for word in words) for _, words in phrases]
+        strict = [" ".join(_any(own[word]) for word in one.words) for one in phrases]
+        loose = [" ".join(_any([*own[word], *near[word]]) for word in one.words) for one in phrases]
         self._strict, self._loose = lexicon.decoder(strict), lexicon.decoder([*loose, _any(alone)])
         self._sounds = Decoder(lm=None, allphone=get_model_path("en-us/en-us-phone.lm.bin"), lw=2.0, **WIDE)
-        self._order = {" ".join(own[word][0] for word in words): at for at, (_, words) in enumerate(phrases)}
+        self._order = {" ".join(own[word][0] for word in one.words): at for at, one in enumerate(phrases)}
         self._same = lexicon.same
         self._heard: list[Samples] = []
 

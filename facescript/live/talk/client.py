@@ -70,7 +70,7 @@ class Talk:
     def __init__(self, connection: ClientConnection) -> None:
         self._connection = connection
         self._ids = itertools.count(1)
-        self._answers: dict[int, asyncio.Future[Message]] = {}
+        self._answers: dict[int, asyncio.Future[Any]] = {}
         self._lines: dict[int, Line] = {}
         self._marks = asyncio.Queue[Message | None]()
         self._reading = asyncio.create_task(self._read())
@@ -163,7 +163,7 @@ class Talk:
         if "mark" in message:
             self._marks.put_nowait(message["mark"])
             return
-        number = message.get("id")
+        number = int(message.get("id") or 0)
         answer, line = self._answers.pop(number, None), self._lines.get(number)
         if answer is not None and "refused" in message:
             answer.set_exception(Refusal(message["refused"]))
@@ -273,7 +273,7 @@ class PlainTalk:
 
     def marks(self) -> Iterator[Message]:
         marks = self._talk.marks()
-        while (mark := self.wait(anext(marks, None))) is not None:  # type: ignore[arg-type]
+        while (mark := self.wait(anext(marks, None))) is not None:
             yield mark
 
     def line(self, told: Coroutine[Any, Any, Line]) -> PlainLine:

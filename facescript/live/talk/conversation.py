@@ -1,4 +1,4 @@
-"""Statements that programs tell, as they come, to events of a run: what speaks waits its turn, all else is done at once."""
+"""Statements that programs tell to events of a run: what speaks waits its turn, all else is done at once."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from facescript.diagnostics.catalogue import diagnose
 from facescript.diagnostics.model import Diagnostic, Diagnostics
 from facescript.ir.acts import Say
 from facescript.live.model import Frame, Happening, Layout, Mark, Teller, Utterance
-from facescript.live.talk.prompting import HUSHED, says
-from facescript.resolve.told import KIND, Prompter
+from facescript.live.talk.prompting import Prompting, says
+from facescript.resolve.told import HUSHED, TOLD
 from facescript.schedule.lengths import PAUSE
 from facescript.speech.model import VoiceBox, VoiceFailure
 from facescript.text import Source, Span
@@ -96,8 +96,8 @@ class Conversation:
     of two lines of a script. What they say is spoken by `voice` in a thread of its own while they wait.
     """
 
-    def __init__(self, prompter: Prompter, voice: VoiceBox) -> None:
-        self._prompter, self._voice = prompter, voice
+    def __init__(self, prompting: Prompting, voice: VoiceBox) -> None:
+        self._prompting, self._voice = prompting, voice
         self._teller: Teller | None = None
         self._waiting: list[Turn] = []
         self._current: list[Turn] = []
@@ -109,16 +109,16 @@ class Conversation:
     # ------------------------------------------------------------------------------------------------ what is told
 
     def tell(self, text: str, told: Told, *, now: bool = False) -> bool:
-        """Does statements of the language; whether they speak. Then `told` gets `{"begun": ...}`, and at last `{"said":
-        ...}` or `{"interrupted": ...}`, with what they say and the time of the run. With `now` they break off what their
-        faces are saying, and what waits. Raises `Refused`."""
+        """Does statements of the language; whether they speak. Then `told` gets `{"begun": ...}`, and at last
+        `{"said": ...}` or `{"interrupted": ...}`, with what they say and the time of the run. With `now` they break off
+        what their faces are saying, and what waits. Raises `Refused`."""
         diagnostics = Diagnostics()
-        reaction = self._prompter.reaction(text, diagnostics)
+        reaction = self._prompting.prompter.reaction(text, diagnostics)
         if reaction is None:
             raise self._refused(list(diagnostics))
         lines = says(reaction.body)
         if not lines:
-            self._event(Happening(KIND, 0.0, text))
+            self._event(Happening(TOLD, 0.0, text))
             return False
         faces = {face for face, _ in lines}
         if now:
@@ -188,7 +188,7 @@ class Conversation:
             return
         if failure is not None:
             raise failure
-        why = self._event(Happening(KIND, max(time, 0.0), turn.text))
+        why = self._event(Happening(TOLD, max(time, 0.0), turn.text))
         if why is not None:
             self._over(turn, "interrupted")
             return
@@ -218,8 +218,13 @@ class Conversation:
         self._go_on()
 
     def mark(self, mark: Mark) -> None:
-        if self._ears and not (mark.kind == "event" and mark.text.startswith((KIND, HUSHED))):
-            said = {mark.kind: mark.text, "face": mark.face, "label": mark.label, "time": round(mark.time, 3)}
+        if self._ears and not (mark.kind == "event" and mark.text.startswith((TOLD, HUSHED))):
+            said: dict[str, object] = {
+                mark.kind: mark.text,
+                "face": mark.face,
+                "label": mark.label,
+                "time": round(mark.time, 3),
+            }
             for ear in tuple(self._ears):
                 ear(said)
 
