@@ -19,6 +19,8 @@ FASTEST = 10_000.0
 
 TIMES = {"ms": 0.001, "s": 1.0, "min": 60.0}
 
+LARGEST_PORT = 65_535
+
 
 def settings(options: argparse.Namespace) -> Settings:
     """What `--set --seed --size --fps --events --draft` say. Raises `OptionFault`."""
@@ -101,3 +103,12 @@ def _float(text: str) -> float | None:
         return float(text)
     except ValueError:
         return None
+
+
+def port(option: str, text: str | None) -> int | None:
+    """The port asked for; 0 is any that is free. Raises `OptionFault`."""
+    if text is None:
+        return None
+    if not text.isascii() or not text.isdigit() or int(text[:6]) > LARGEST_PORT:
+        raise OptionFault("FS904", option=option, value=text, example="8080")
+    return int(text)

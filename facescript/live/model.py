@@ -13,7 +13,7 @@ from facescript.performance.channels import Channel
 from facescript.schedule.events import Happening
 from facescript.speech.model import Spoken
 
-__all__ = ["Frame", "Happening", "Layout", "Mark", "Sighting", "Sink", "Source", "Teller", "Utterance"]
+__all__ = ["Frame", "Happening", "Layout", "Mark", "Sighting", "Sink", "Source", "Teller", "Told", "Utterance"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +76,10 @@ class Utterance:
     cut: float | None = None
 
 
+Told = Happening | Sighting
+"""What a source tells and a run heeds."""
+
+
 class Sink(Protocol):
     """Where a run goes. None of `frame`, `mark` and `utter` waits: what a peer cannot take in time is dropped, and
     counted. A sink whose peer is not there yet tries again by itself, and raises nothing for it."""
@@ -100,9 +104,13 @@ class Sink(Protocol):
 class Teller(Protocol):
     """Takes what a source has, from any thread, at once; what is too much is dropped there, and counted."""
 
-    def event(self, happening: Happening) -> None: ...
+    def event(self, happening: Happening) -> str | None:
+        """Takes an event; why it is refused, where it is. A time of 0 or before now means now."""
+        ...
 
-    def sighting(self, sighting: Sighting) -> None: ...
+    def sighting(self, sighting: Sighting) -> str | None:
+        """The same for where a person is; of a person only the newest is heeded at a frame."""
+        ...
 
 
 class Source(Protocol):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from facescript.ir.acts import SetLife
 from facescript.ir.play import Face
+from facescript.motion.blend import giving_way
 from facescript.motion.compose import Asked, compose, head_pose
 from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Floats, rows
@@ -19,12 +20,15 @@ from facescript.motion.hair import Hair
 from facescript.motion.life.lives import Lives, lives
 from facescript.motion.life.memory import Memory
 from facescript.motion.mouth import MouthTrack
+from facescript.motion.recorded import Recorded, Turned
 from facescript.performance.channels import POSE, channels_of
 from facescript.performance.performance import Frames, Performance
 from facescript.schedule.score import Score, TimedAct, TimedLine, TimedScene
 from facescript.speech.mouth.own import table_of
 
 _PLACE = rows(("head.x", "head.y"))
+_TURNS = rows(("head.yaw", "head.pitch", "head.roll"))
+_SIGHTS = rows(("gaze.yaw", "gaze.pitch"))
 
 Memories = dict[tuple[str, int], Memory]
 """What is remembered of a face's life in each scene, by the scene's name and how often it was played before."""
@@ -48,6 +52,7 @@ class SceneMotion:
     expression: Expression
     gestures: Gestures
     lives: Lives
+    recorded: Recorded
     heeded: Heeded
 
 
@@ -101,7 +106,28 @@ class FaceMotion:
                 gestures[:, window] = scene.gestures.at(times[window])
                 life[:, window] = scene.lives.at(times[window])
         sight, head = self.gaze.sight(times), self.gaze.head(times)
-        return Asked(expression, gestures, life, sight, head, *self.mouth.sample(times))
+        if gestures[_TURNS].any():
+            gestures[_TURNS] = giving_way(gestures[_TURNS], self.gaze.turning(times, head))
+        asked = Asked(expression, gestures, life, sight, head, *self.mouth.sample(times))
+        return self._with_takes(asked, times)
+
+    def _with_takes(self, asked: Asked, times: Floats) -> Asked:
+        """What is asked where takes are played: they turn head and eyes, and life waits on what they have."""
+        played = [scene for scene in self.scenes if scene.recorded]
+        if not played:
+            return asked
+        turned = Turned.nowhere(len(times))
+        for scene in played:
+            window = slice(*np.searchsorted(times, [scene.start, scene.end]))
+            if window.start < window.stop:
+                turned.lay(window, scene.recorded.turned(times[window]))
+                asked.life[:, window] *= 1.0 - scene.expression.recorded(times[window])
+        share = turned.head_share[:, None]
+        asked.life[_TURNS] *= 1.0 - turned.head_share
+        asked.life[_SIGHTS] *= 1.0 - turned.eye_share
+        asked.expression[_TURNS[2]] += turned.head[:, 2] * turned.head_share
+        head = asked.head * (1.0 - share) + turned.head[:, :2] * share
+        return replace(asked, head=head, turned=turned)
 
 
 Heeded = tuple[object, ...]
@@ -145,6 +171,7 @@ def _scenes(
             Expression(acts, scene.start, scene.end),
             Gestures(acts),
             same or lives(face.life, acts, lines, scene.start, scene.end, dice, channels_of(face.parts), memory),
+            Recorded(acts),
             heeded,
         )
 

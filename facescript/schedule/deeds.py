@@ -5,7 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from facescript.ir.acts import Add, Do, Drop, Gesture, Glance, Look, Say, Scan, Show, Verb, Wait, WaitUntil, in_pass
+from facescript.ir.acts import (
+    Add,
+    Do,
+    Drop,
+    Gesture,
+    Glance,
+    Look,
+    Perform,
+    Say,
+    Scan,
+    Show,
+    Verb,
+    Wait,
+    WaitUntil,
+    in_pass,
+)
 from facescript.schedule.defaults import seconds
 from facescript.schedule.steps import NEVER, SETTLED, START, Root, Step
 from facescript.schedule.voices import Voices, whole_words, word_end
@@ -104,14 +119,14 @@ def _settled(step: Step, verb: Verb, release: float, voices: Voices) -> float:
     settled = step.time(SETTLED)
     if isinstance(verb, Say):
         return max(sound.end for sound in soundings(step, voices))
-    if isinstance(verb, (Look, Glance, Show, Add)) and verb.timing.lasting is not None:
+    if isinstance(verb, (Look, Glance, Show, Add, Perform)) and verb.timing.lasting is not None:
         return min(settled, release)
     return settled
 
 
 def _release(step: Step, verb: Verb, start: float) -> float:
     """When an act begins to let go: after its `for`, with its cue, or with what it stands in where that is cut."""
-    if isinstance(verb, (Look, Glance, Show, Add)):
+    if isinstance(verb, (Look, Glance, Show, Add, Perform)):
         lasting = verb.timing.lasting
         release = min(NEVER if lasting is None else start + seconds(lasting), step.until)
         kept = release == NEVER and not (isinstance(verb, Add) and step.root.afresh)

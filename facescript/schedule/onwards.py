@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from facescript.ir.acts import Glance, Look, Say, Scan
-from facescript.ir.play import Play
+from facescript.ir.play import Play, Reaction
 from facescript.ir.values import AtTarget
 from facescript.schedule.deeds import Deed, Sounding
 from facescript.schedule.drops import Key as Term
@@ -52,6 +52,15 @@ PACED = 4096
 """Verbs of which it is kept how fast heads and eyes can do them."""
 
 
+Told = Callable[[Happening], Iterable[tuple[int, Reaction]]]
+"""What an event starts that the play does not know of: reactions, each with the number of those whose place it takes;
+below 0, for the play's are counted from there."""
+
+
+def nothing(event: Happening) -> tuple[tuple[int, Reaction], ...]:
+    return ()
+
+
 @dataclass(slots=True)
 class Heeded:
     """A reaction that an event has started, the `count`-th time for this reaction; at `limit` its event came again."""
@@ -92,7 +101,7 @@ class Onwards:
     what comes later; the events alone decide. So what is over can be forgotten, and nothing grows.
     """
 
-    def __init__(self, play: Play, voice: VoiceBox) -> None:
+    def __init__(self, play: Play, voice: VoiceBox, told: Told = nothing) -> None:
         self.play = replace(play, film=replace(play.film, long=None), events=())
         self.room = Room(self.play.film, play.faces, play.targets)
         self.room.live, self._own = True, play.targets
@@ -100,6 +109,7 @@ class Onwards:
         self.voices = Voices(voice, self._means.spoken)
         self.faults = Faults()
         self._labels = Labels()
+        self._told = told
         self._begin, self._past = Begin(), Past()
         self._heeded: list[Heeded] = []
         self._comings: list[Coming] = []
@@ -133,19 +143,20 @@ class Onwards:
         """An event, at a time that is not before that of the last one; whether any reaction waits for it."""
         if event.person is not None and event.kind in ("arrives", "leaves"):
             self._comings.append(Coming(event.time, event.person, event.kind == "arrives"))
-        found = [number for number, one in enumerate(self.play.reactions) if heeds(one.event, event)]
-        for number in found:
-            self._start(number, event)
+        waiting = ((number, one) for number, one in enumerate(self.play.reactions) if heeds(one.event, event))
+        found = [*waiting, *self._told(event)]
+        for number, reaction in found:
+            self._start(number, reaction, event)
         return bool(found)
 
-    def _start(self, number: int, event: Happening) -> None:
+    def _start(self, number: int, reaction: Reaction, event: Happening) -> None:
         for before in self._heeded:
             if before.trigger.number == number and before.limit == NEVER:
                 before.limit = event.time
         self._worn = [one.at(event.time) if one.reaction == number else one for one in self._worn]
         self._counts[number] += 1
         self._ranks += 1
-        trigger = Trigger(event.time, number, self.play.reactions[number], event.person)
+        trigger = Trigger(event.time, number, reaction, event.person)
         self._heeded.append(Heeded(trigger, self._ranks, self._counts[number]))
 
     # ------------------------------------------------------------------------------------------------ solving

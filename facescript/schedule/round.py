@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from facescript.ir.acts import Do, Say
@@ -16,6 +16,9 @@ from facescript.schedule.rules import Times
 from facescript.schedule.solver import Solver
 from facescript.schedule.steps import DONE, NEVER, Key, Maker, Root, Step, ends_in_line
 from facescript.schedule.voices import word_end
+
+NUMBER = 3
+"""Where in a reaction's place its number stands."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,11 +201,11 @@ def _ends(reactions: Sequence[Root]) -> dict[int, tuple[float, float]]:
     """When each reaction has settled, and the pause before a line that follows; one that is started afresh has when
     its follower has."""
     ends: dict[int, tuple[float, float]] = {}
-    followers: dict[int, tuple[float, float]] = {}
+    followers: dict[Hashable, tuple[float, float]] = {}
     for root in reversed(reactions):
-        body = id(root.top.node)
+        number = root.place[NUMBER]
         own = (root.top.time(DONE), PAUSE if ends_in_line(root.top) else 0.0)
         if root.afresh and own[0] > root.top.limit:
-            own = followers[body]
-        ends[root.rank] = followers[body] = own
+            own = followers[number]
+        ends[root.rank] = followers[number] = own
     return ends

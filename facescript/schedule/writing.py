@@ -10,6 +10,7 @@ from facescript.ir.acts import (
     AddLink,
     Glance,
     Look,
+    Perform,
     Scan,
     SetBackground,
     SetLife,
@@ -120,7 +121,7 @@ class Writing:
 
 def _end(deed: Deed, plan: tuple[GazePlan, ...]) -> float:
     """When nothing is left of an act."""
-    if isinstance(deed.verb, (Show, Add)):
+    if isinstance(deed.verb, (Show, Add, Perform)):
         return deed.release + seconds(deed.verb.timing.back)
     if isinstance(deed.verb, (Look, Glance, Scan)):
         return gone(plan, deed.release)

@@ -255,8 +255,19 @@ def smooth_enough(made: Played) -> None:
         assert jolt <= (HEAD_JOLT if head else EYE_JOLT), (name, jolt)
 
 
+SHAKEN = (
+    ["at 0ms: look at camera", "at 1160ms: glance fly", "at 10ms: look at shelf, head only",
+     "at 20ms: scan crowd, 300ms each", "at 30ms: scan crowd, 300ms each", "at 1050ms: shake"],
+    ["at 0ms: look at camera", "at 1160ms: glance camera", "at 10ms: look at shelf, head only",
+     "at 20ms: glance shelf", "at 30ms: shake"],
+)  # fmt: skip
+"""A shake while gaze turns the head, to the end of its range."""
+
+
 @settings(max_examples=40, deadline=None)
 @given(scripts())
+@example(script(SHAKEN[0]))
+@example(script(SHAKEN[1]))
 def test_nothing_jumps_or_jolts(text: str) -> None:
     smooth_enough(played(text))
 

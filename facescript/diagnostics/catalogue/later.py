@@ -7,14 +7,6 @@ from facescript.diagnostics.model import Severity
 
 LATER: tuple[Entry, ...] = (
     Entry(
-        "FS803",
-        "later-play",
-        Severity.ERROR,
-        "Recorded channels (`play`) are part of the language and not in this version.",
-        'play "take.csv"\n',
-        "show smile\n",
-    ),
-    Entry(
         "FS806",
         "later-people",
         Severity.ERROR,

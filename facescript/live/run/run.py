@@ -16,7 +16,7 @@ from facescript.live.run.telling import Marks, Utterances, of_event
 from facescript.motion.drivers import Floats
 from facescript.motion.perform import FaceMotion, Memories, perform
 from facescript.schedule.labels import nodes
-from facescript.schedule.onwards import Onwards
+from facescript.schedule.onwards import Onwards, Told, nothing
 from facescript.schedule.score import Score
 from facescript.speech.model import VoiceBox
 
@@ -42,9 +42,9 @@ class Run:
     first lines cannot be spoken.
     """
 
-    def __init__(self, play: Play, voice: VoiceBox, fps: float = 60.0) -> None:
+    def __init__(self, play: Play, voice: VoiceBox, fps: float = 60.0, told: Told = nothing) -> None:
         self._fps = fps
-        self._onwards = Onwards(play, voice)
+        self._onwards = Onwards(play, voice, told)
         self._company = Company(self._onwards)
         self._shift = inf
         self._speak(play)

@@ -26,6 +26,10 @@ AFTERWARDS = 1.0
 """For so long after its scene's end it is still worked out how a target is followed, s."""
 
 
+BEFORE = 0.002
+"""How long before a time the head is looked at for its speed, s."""
+
+
 class GazeTrack:
     """One face's gaze as a function of time; no state, any times in any order."""
 
@@ -47,6 +51,12 @@ class GazeTrack:
     def head(self, times: Floats) -> Floats:
         """array[n, 2]: yaw and pitch (deg) of the head."""
         return self._sample(times, lambda scene, some: scene.head.at(some), 2)
+
+    def turning(self, times: Floats, head: Floats) -> Floats:
+        """How fast gaze turns the head, which at `times` is at `head` (array[n, 2]): array[n], deg/s."""
+        way = head - self.head(times - BEFORE)
+        speed: Floats = np.hypot(way[:, 0], way[:, 1]) / BEFORE
+        return speed
 
     def scene(self, time: float) -> SceneGaze:
         """The scene that plays at `time`."""

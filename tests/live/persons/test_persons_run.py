@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import sin, tau
-from pathlib import Path
 
 import numpy as np
 import pytest
-from scripted import Letters
-from watching import Camera, Truth, lag, true_yaw
+from watching import FPS, Camera, Live, People, Truth, lag, true_yaw
 
-from facescript.compile import compile_source
-from facescript.live.model import Happening, Sighting
-from facescript.live.run.run import Run
-from facescript.text import Source
-from facescript.world import World
+from facescript.live.model import Happening
 
 HEAD = """film 640x360, seed 3, screen none, 60s long
 face ada = woman
@@ -34,34 +27,12 @@ when key "s":
     scan people, 600ms each, eyes only
 when key "h":
     scan people, 600ms each
+when key "q":
+    show smile for 0.5s
 when person nearest as guest:
     look at guest
 """
 )
-FPS = 60.0
-
-People = dict[str, Truth]
-
-
-class Live:
-    """A run, and what comes to it by when."""
-
-    def __init__(self, text: str, told: list[tuple[float, Sighting]], events: list[Happening]) -> None:
-        compiled = compile_source(Source("made.face", text), World(Path(__file__).parent), Letters())
-        assert compiled.play is not None, [item.message for item in compiled.diagnostics]
-        self.run = Run(compiled.play, Letters(), FPS)
-        self.waiting = sorted([*told, *((event.time, event) for event in events)], key=lambda one: -one[0])
-
-    def frames(self, seconds: float) -> Iterator[np.ndarray]:
-        for number in range(int(seconds * FPS)):
-            while self.waiting and self.waiting[-1][0] <= number / FPS:
-                _, what = self.waiting.pop()
-                self.run.see(what) if isinstance(what, Sighting) else self.run.hear(what)
-            yield self.run.frame(number).values
-
-    def watch(self, seconds: float) -> dict[str, np.ndarray]:
-        values = np.array(list(self.frames(seconds))).T
-        return {"time": np.arange(values.shape[1]) / FPS, **dict(zip(self.run.layout.names, values, strict=True))}
 
 
 def arrives(time: float, person: str) -> Happening:
@@ -109,6 +80,17 @@ def test_a_crowd_that_moves_is_scanned_with_the_eyes_and_with_the_head() -> None
     assert eyes < 1.0 < 5.0 < head
 
 
+def test_one_is_followed_as_before_whatever_else_happens_meanwhile() -> None:
+    """What is over is forgotten every few seconds, and each event has all planned anew; the look that goes on stays."""
+    told = Camera(noise=0.3).sightings({"person 2": THREE["person 2"]}, 14.0)
+    text, comes = FOLLOWS.partition("when person nearest")[0], arrives(0.5, "person 2")
+    alone = Live(text, told, [comes]).watch(14.0)
+    among = Live(text, told, [comes, *(key(1.23 + 0.7 * number, "q") for number in range(16))]).watch(14.0)
+    assert np.abs(among["cheek.lower.left"] - alone["cheek.lower.left"]).max() > 0.1
+    for name in ("gaze.yaw", "gaze.pitch", "head.yaw", "head.pitch"):
+        assert np.abs(among[name] - alone[name]).max() < 1e-9
+
+
 def test_who_comes_nearer_is_looked_at() -> None:
     people: People = {
         "person 1": lambda _: (-40.0, 150.0),
@@ -137,6 +119,7 @@ def test_a_run_in_which_persons_come_and_go_is_bounded_and_never_jumps() -> None
     seen = live.watch(32.0)
     assert np.abs(np.diff(seen["gaze.yaw"])).max() * FPS < 750.0
     assert np.abs(np.diff(seen["head.yaw"])).max() * FPS < 320.0
+    assert [target.name for target in live.run.score.targets] == ["ann", "person 4", "person 5"]
     for number in range(5):
         assert abs(seen["gaze.yaw"][int((6.0 * number + 1.7) * FPS)] - np.degrees(np.arctan2(50.0, 150.0))) < 4.0
         assert abs(seen["gaze.yaw"][int((6.0 * number + 5.5) * FPS)]) < 0.5

@@ -1,0 +1,192 @@
+"""`facescript live` on the command line: a run and its log, what it writes, what it refuses, and how it ends."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from facescript.cli.main import main
+
+Captured = pytest.CaptureFixture[str]
+
+SCRIPT = """\
+film 320x240, seed 3
+
+let degree = 60%
+
+face mia = woman
+    life calm
+
+scene wait:
+    repeat forever:
+        look left 10deg as aside
+        wait 200ms
+        look camera
+        wait 200ms
+
+when heard "no":
+    show frown degree over 200ms as frowned
+when person arrives as guest:
+    look at guest
+"""
+
+
+@pytest.fixture(autouse=True)
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("FACESCRIPT_TOKEN", raising=False)
+    Path("kiosk.face").write_text(SCRIPT.replace("look camera", "look at camera"), "utf-8")
+
+
+def says(monkeypatch: pytest.MonkeyPatch, *lines: str) -> None:
+    """What stands on standard input."""
+    ends = os.pipe()
+    os.write(ends[1], "".join(f"{line}\n" for line in lines).encode())
+    os.close(ends[1])
+    monkeypatch.setattr(sys, "stdin", os.fdopen(ends[0]))
+
+
+def rows_of(name: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(Path(name).read_text("utf-8").splitlines()))
+
+
+def test_a_run_is_had_again_by_its_log(monkeypatch: pytest.MonkeyPatch, capsys: Captured) -> None:
+    said = ("arrives ann 30cm 0cm 80cm", 'heard "no" at 0.3s', "sighting ann 40cm 0cm 80cm", "key q", "what?")
+    says(monkeypatch, *said)
+    words = ["live", "kiosk.face", "--set", "degree=80%", "--seed", "11", "--fps", "50"]
+    assert main([*words, "--from", "stdin:", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.8"]) == 0
+    told = capsys.readouterr().err
+    assert "A line of standard input is refused" in told and 'key "q"' in told
+    assert re.search(r"^events: .*\b2 taken", told, re.MULTILINE) and "at 50 a second" in told
+    assert main(["live", "kiosk.face", "--replay", "run.log", "--to", "csv:again.csv", "--log", "again.log"]) == 0
+    assert Path("again.csv").read_bytes() == Path("run.csv").read_bytes()
+    first, again = (Path(name).read_text("utf-8").splitlines() for name in ("run.log", "again.log"))
+    assert first[1:] == again[1:] and len(first) >= 5
+    head = json.loads(first[0])
+    assert (head["seed"], head["fps"], head["set"]) == (11, 50.0, {"degree": "80%"})
+    rows = rows_of("run.csv")
+    assert float(rows[-1]["brow.lower.left"]) > 0.5 > 0.01 > float(rows[0]["brow.lower.left"])
+
+
+def test_a_log_of_another_script_is_refused(capsys: Captured) -> None:
+    assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
+    with Path("kiosk.face").open("a", encoding="utf-8") as script:
+        script.write('when key "q":\n    nod\n')
+    assert main(["live", "kiosk.face", "--replay", "run.log"]) == 2
+    assert "FS974" in capsys.readouterr().err
+
+
+def test_a_file_that_the_script_uses_counts_too(capsys: Captured) -> None:
+    Path("mine.face").write_text("expression wry = smile.left 60%\n", "utf-8")
+    Path("uses.face").write_text('use "mine.face"\nshow wry\n', "utf-8")
+    assert main(["live", "uses.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
+    Path("mine.face").write_text("expression wry = smile.left 70%\n", "utf-8")
+    assert main(["live", "uses.face", "--replay", "run.log"]) == 2
+    assert "FS974" in capsys.readouterr().err
+
+
+def test_onsets_are_the_plan_and_what_became_of_it() -> None:
+    words = ["live", "kiosk.face", "--to", "csv:run.csv", "--for", "0.5s", "--onsets", "onsets.csv"]
+    assert main(words) == 0
+    rows = rows_of("onsets.csv")
+    aside = [row for row in rows if "aside" in row["label"]]
+    assert [row["kind"] for row in rows[:1]] == ["scene"] and len(aside) >= 1
+    assert float(aside[0]["planned"]) == 0.0 == float(aside[0]["frame"])
+    assert all(float(row["planned"]) <= float(row["frame"]) + 1e-6 for row in rows)
+    assert all(0.0 <= float(row["real"]) - float(row["frame"]) < 1.0 for row in rows)
+
+
+def test_a_trial_sets_what_its_columns_name() -> None:
+    Path("trials.csv").write_text("degree\n10%\n90%\n", "utf-8")
+    Path("unit.face").write_text("let degree = 50%\nshow AU12 degree over 0ms\n", "utf-8")
+    found = []
+    for trial in ("1", "2"):
+        words = ["--trials", "trials.csv", "--trial", trial, "--to", "csv:run.csv", "--log", "run.log", "--for", "0.1"]
+        assert main(["live", "unit.face", *words]) == 0
+        assert json.loads(Path("run.log").read_text("utf-8").splitlines()[0])["set"] == {
+            "degree": f"{trial}0%".replace("20", "90")
+        }
+        rows = rows_of("run.csv")
+        found.append(float(rows[-1]["cheek.lower.left"]))
+    assert found[0] < 0.2 < 0.7 < found[1]
+
+
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        (["--from", "ws://"], "FS981"),
+        (["--from", "stdin:x"], "FS981"),
+        (["--from", "lsl://it's"], "FS981"),
+        (["--from", "ws://0.0.0.0:8080"], "FS983"),
+        (["--for", "soon"], "FS904"),
+        (["--fps", "20000"], "FS904"),
+        (["--log", "missing/run.log"], "FS903"),
+        (["--trials", "missing.csv", "--trial", "1"], "FS901"),
+        (["--replay", "missing.log"], "FS973"),
+    ],
+)
+def test_what_cannot_be_is_told(words: list[str], code: str, capsys: Captured) -> None:
+    assert main(["live", "kiosk.face", *words]) == 2
+    assert code in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("script", "code"),
+    [
+        ("smiel\n", "FS201"),
+        ("at a.end: nod as b\nat b.end: nod as a\n", "FS405"),
+        ('face ada = woman, voice en-us nobody\nnod\nwhen heard "no":\n    say "Oh."\n', "FS501"),
+    ],
+)
+def test_faults_of_the_script_are_told_before_it_runs(script: str, code: str, capsys: Captured) -> None:
+    Path("kiosk.face").write_text(script, "utf-8")
+    assert main(["live", "kiosk.face", "--for", "1"]) == 1
+    told = capsys.readouterr()
+    assert code in told.err and told.out == ""
+
+
+def test_a_scene_that_only_an_event_brings_is_no_fault(capsys: Captured) -> None:
+    scenes = (
+        'scene wait:\n    repeat forever:\n        nod\nscene visit:\n    shake\nwhen key "q":\n    blink\n    stop\n'
+    )
+    Path("kiosk.face").write_text(scenes, "utf-8")
+    assert main(["live", "kiosk.face", "--for", "0.1", "--to", "csv:run.csv"]) == 0
+    assert "FS4" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_it_ends_in_order(number: signal.Signals) -> None:
+    command = [
+        sys.executable,
+        "-m",
+        "facescript.cli.main",
+        "live",
+        "kiosk.face",
+        "--from",
+        "stdin:",
+        "--log",
+        "run.log",
+    ]
+    pipe = subprocess.PIPE
+    process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, env=dict(os.environ))
+    try:
+        assert process.stdout is not None
+        for _ in range(5):
+            assert json.loads(process.stdout.readline())
+        process.send_signal(number)
+        out, said = process.communicate(timeout=20)
+        assert process.returncode == 0
+        assert b" frames in " in said and b"Traceback" not in said
+        assert all(json.loads(line) for line in out.splitlines())
+        assert json.loads(Path("run.log").read_text("utf-8").splitlines()[-1])["ended"] is True
+    finally:
+        process.kill()
+        process.wait()
