@@ -7,7 +7,6 @@ from math import ceil, inf, nextafter
 
 import numpy as np
 
-from facescript.ir.acts import Do, Say
 from facescript.ir.play import Play
 from facescript.live.model import Frame, Happening, Layout, Mark, Sighting, Utterance
 from facescript.live.run.company import Company
@@ -15,8 +14,7 @@ from facescript.live.run.curves import FaceCurves
 from facescript.live.run.telling import Marks, Utterances, of_event
 from facescript.motion.drivers import Floats
 from facescript.motion.perform import FaceMotion, Memories, perform
-from facescript.schedule.labels import nodes
-from facescript.schedule.onwards import Onwards, Told, nothing
+from facescript.schedule.onwards import Onwards, Told, lines_of, nothing
 from facescript.schedule.score import Score
 from facescript.speech.model import VoiceBox
 
@@ -66,10 +64,8 @@ class Run:
 
     def _speak(self, play: Play) -> None:
         """Have every line of the play spoken, so that none is waited for when it is due."""
-        for block in (*(scene.body for scene in play.scenes), *(one.body for one in play.reactions)):
-            for node, _ in nodes(block):
-                if isinstance(node, Do) and isinstance(node.verb, Say):
-                    self._onwards.voices.speak(node.verb, node.span)
+        for line, span in lines_of(play):
+            self._onwards.voices.speak(line, span)
 
     def _motion(self, score: Score, name: str) -> FaceMotion:
         before = self._curves[name].motion if name in self._curves else None
