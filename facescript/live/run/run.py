@@ -84,6 +84,10 @@ class Run:
         """Somebody is at a place at a time of the run; frames from the next one on know of it."""
         self._company.see(sighting)
 
+    def doubts(self) -> dict[str, int]:
+        """The sightings that were not believed, and why."""
+        return self._company.doubts()
+
     # ------------------------------------------------------------------------------------------------ what comes out
 
     def frame(self, number: int) -> Frame:
