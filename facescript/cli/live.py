@@ -193,7 +193,7 @@ async def _run(
     sinks |= pages
     talk, own, ports = Conversation(prompting, voice), OwnVoice(), Ports()
     loop = Loop(performer, clock, feed, [*sinks.values(), own, talk], keepers)
-    evening = Show(loop, gate, sinks, ports)
+    evening = Show(loop, gate, sinks, ports, performer.doubts)
     coming = Coming(play, world, clock, ports, orders.token, tell, evening.status, talk, own)
     sources = {address: open_source(address, coming) for address in dict.fromkeys(orders.options.sources)}
     evening.sources = sources | pages

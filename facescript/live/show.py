@@ -17,10 +17,18 @@ from facescript.live.ports import Ports
 
 
 class Show:
-    """What runs: a loop, the sinks it gives to, and the `sources` that tell its gate, by their addresses."""
+    """What runs: a loop, the sinks it gives to, and the `sources` that tell its gate, by their addresses. `doubts` are
+    the sightings that were not believed, and why."""
 
-    def __init__(self, loop: Loop, gate: Gate, sinks: Mapping[str, Sink], ports: Ports) -> None:
-        self._loop, self._gate, self._sinks, self._ports = loop, gate, sinks, ports
+    def __init__(
+        self,
+        loop: Loop,
+        gate: Gate,
+        sinks: Mapping[str, Sink],
+        ports: Ports,
+        doubts: Callable[[], Mapping[str, int]] = dict,
+    ) -> None:
+        self._loop, self._gate, self._sinks, self._ports, self._doubts = loop, gate, sinks, ports, doubts
         self.sources: Mapping[str, Source] = {}
 
     async def run(self, seconds: float = inf, tell: Callable[[str], None] = print) -> None:
@@ -75,6 +83,7 @@ class Show:
             "late": tally.late,
             "dropped": tally.dropped,
             "events": self._gate.counts(),
+            "persons": dict(self._doubts()),
             "from": {address: source.counts() for address, source in self.sources.items()},
             "to": {address: sink.counts() for address, sink in self._sinks.items()},
         }
@@ -87,6 +96,8 @@ class Show:
             f"{tally.dropped} dropped; 99 of 100 were given within {tally.lateness(0.01) * 1000:.1f} ms"
         )
         yield from _counted("events", self._gate.counts())
+        if self._doubts():
+            yield from _counted("persons", self._doubts())
         for address, source in self.sources.items():
             yield from _counted(f"from {address}", source.counts())
         for address, sink in self._sinks.items():
