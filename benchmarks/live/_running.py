@@ -27,14 +27,15 @@ class Running:
         pipe = subprocess.PIPE
         self.process = subprocess.Popen(command, stdin=pipe, stderr=pipe, text=True, cwd=self.folder.name)
         self.said: list[str] = []
+        self.ended = threading.Event()
         self._listening = threading.Thread(target=self._listen, daemon=True)
         self._listening.start()
-        self.begun = threading.Event()
 
     def _listen(self) -> None:
         assert self.process.stderr is not None
         for line in self.process.stderr:
             self.said.append(line.rstrip())
+        self.ended.set()
 
     def __enter__(self) -> Running:
         return self
@@ -51,9 +52,8 @@ class Running:
             for line in list(self.said):
                 if text in line:
                     return line
-            if self.process.poll() is not None:
+            if self.ended.wait(0.01):
                 raise RuntimeError("\n".join(self.said))
-            self._listening.join(0.01)
 
     def end(self) -> tuple[int, int, int, float, float]:
         """Frames given, late and dropped, ms within which 99 of 100 were given, and seconds of processor time."""

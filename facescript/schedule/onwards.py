@@ -202,9 +202,7 @@ class Onwards:
             self._gazes[name] = Planning(self.room, self._means.faces[name], self._begin.start)
         return self._gazes[name]
 
-    def _requests(
-        self, solved: Round, deeds: list[tuple[Deed, Worn | None]]
-    ) -> Mapping[str, list[GazeRequest]]:
+    def _requests(self, solved: Round, deeds: list[tuple[Deed, Worn | None]]) -> Mapping[str, list[GazeRequest]]:
         """What deeds ask of each face's eyes and head; they are known by the places of their steps."""
         starts = solved.starts()
         gaze = Gaze(self._means.faces, solved.times.lengths.presence, self.play.film.seed)
@@ -288,9 +286,7 @@ class Onwards:
             if step not in forgetting.live or sound.start < forgetting.said.get(step, 0.0):
                 self._lines.append(line)
         last = {line.face: line for line in sorted(self._lines, key=lambda line: line.end)}
-        self._lines = [
-            line for line in self._lines if line.end > forgetting.time - TAIL or line is last[line.face]
-        ]
+        self._lines = [line for line in self._lines if line.end > forgetting.time - TAIL or line is last[line.face]]
 
     def _forget_deeds(self, outlook: Outlook, begin: Begin, forgetting: Forgetting, over: set[int]) -> None:
         numbers = {one.rank: one.trigger.number for one in self._heeded}
