@@ -158,7 +158,7 @@ def test_what_cannot_be_is_told(words: list[str], code: str, capsys: Captured) -
 @pytest.mark.parametrize(
     ("script", "code"),
     [
-        ("smiel\n", "FS201"),
+        ("smiel\n", "FS204"),
         ("at a.end: nod as b\nat b.end: nod as a\n", "FS405"),
         ('face ada = woman, voice en-us nobody\nnod\nwhen heard "no":\n    say "Oh."\n', "FS501"),
     ],
