@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from facescript.ir.values import Point
-from facescript.live.log import Recorded, entries
+from facescript.live.log import LogFault, Recorded, entries
+from facescript.live.messages import TEXTUAL
 from facescript.live.model import Sighting
 from facescript.writing.quotes import quoted
 
@@ -39,6 +40,8 @@ def retold(recorded: Recorded) -> str:
                 _way(ways, item.person).pass_by(item.time, item.place)
             elif item.person is not None:
                 lines.append(f"event {_way(ways, item.person).name} {item.kind} at {_number(item.time)}s")
+            elif item.kind not in TEXTUAL:
+                raise LogFault(f"at frame {entry.frame} a program told the face what to do, which no `event` says")
             else:
                 lines.append(f"event {item.kind} {quoted(item.text)} at {_number(item.time)}s")
     return "\n".join([*(line for way in ways.values() for line in _target(way)), *lines, ""])

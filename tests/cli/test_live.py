@@ -93,6 +93,14 @@ def test_a_log_is_built_as_a_film(monkeypatch: pytest.MonkeyPatch) -> None:
     assert float(run[-1]["brow.lower.left"]) > 0.4
 
 
+def test_what_programs_told_is_no_film(capsys: Captured) -> None:
+    assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
+    head, *_ = Path("run.log").read_text("utf-8").splitlines()
+    Path("run.log").write_text(head + '\n{"frame": 1, "time": 0.01, "told": "nod"}\n', "utf-8")
+    assert main(["build", "kiosk.face", "--events", "run.log", "-o", "film.csv"]) == 2
+    assert "FS973" in capsys.readouterr().err
+
+
 def test_a_log_of_another_script_is_refused(capsys: Captured) -> None:
     assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
     with Path("kiosk.face").open("a", encoding="utf-8") as script:
