@@ -20,8 +20,12 @@ from facescript.schedule.onwards import Onwards, Told, nothing
 from facescript.schedule.score import Score
 from facescript.speech.model import VoiceBox
 
-STEP, STEPS = 4.0, 3
-"""The horizon moves every so many seconds, and lies so many steps beyond the one that a time is in."""
+STEP, STEPS = 2.0, 3
+"""The horizon moves every so many seconds, and lies so many steps beyond the one that a time is in: life foresees a
+line by two seconds and a half."""
+
+LATELY = 4.0
+"""Seconds after which what is over is forgotten: by then it has come to rest."""
 
 BLOCK = 6
 """So many frames are worked out at once: numpy takes for one nearly as long as for six."""
@@ -52,6 +56,7 @@ class Run:
         performance = perform(self.score)
         self._seen = {face.name: face for face in play.faces if face.seen}
         self._memories: dict[str, Memories] = {name: {} for name in self._seen}
+        self._curves: dict[str, FaceCurves] = {}
         self._curves = {name: FaceCurves(self._motion(self.score, name)) for name in self._seen}
         self._columns = performance.columns
         self.layout = Layout(
@@ -67,7 +72,8 @@ class Run:
                     self._onwards.voices.speak(node.verb, node.span)
 
     def _motion(self, score: Score, name: str) -> FaceMotion:
-        return FaceMotion(score, self._seen[name], self._memories[name])
+        before = self._curves[name].motion if name in self._curves else None
+        return FaceMotion(score, self._seen[name], self._memories[name], before)
 
     # ------------------------------------------------------------------------------------------------ what goes in
 
@@ -117,7 +123,7 @@ class Run:
                 self._solve(self._shift)
             else:
                 self._solved = step
-                self._forget(step - STEP)
+                self._forget(step - LATELY)
                 self._solve(step)
                 self._company.forget(self.score)
 
