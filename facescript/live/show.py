@@ -89,7 +89,8 @@ class Show:
         tally, fps = self._loop.tally, self._loop.layout.fps
         yield (
             f"{tally.frames} frames in {self._loop.next / fps:.1f} s at {fps:g} a second, {tally.late} late, "
-            f"{tally.dropped} dropped; 99 of 100 were given within {tally.lateness(0.01) * 1000:.1f} ms"
+            f"{tally.dropped} dropped; 99 of 100 were given within {tally.lateness(0.01) * 1000:.1f} ms, all "
+            f"within {tally.lateness(0.0) * 1000:.1f} ms"
         )
         yield from _counted("events", self._gate.counts())
         for address, source in self.sources.items():
