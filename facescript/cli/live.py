@@ -173,10 +173,11 @@ async def _run(orders: Orders, play: Play, world: World, voice: VoiceBox, keeper
     gate = Gate(clock, orders.fps, waits(play), tell)
     feed = gate if orders.recorded is None else Replay(orders.recorded)
     performer = Run(play, voice, orders.fps)
-    sinks = {address: open_sink(address, Going(orders.token, orders.hasty, tell)) for address in orders.sinks}
+    ports = Ports()
+    sinks = {address: open_sink(address, Going(orders.token, orders.hasty, tell, ports)) for address in orders.sinks}
     pages = _pages(orders, play, world, performer)
     sinks |= pages
-    loop, ports = Loop(performer, clock, feed, sinks.values(), keepers), Ports()
+    loop = Loop(performer, clock, feed, sinks.values(), keepers)
     evening = Show(loop, gate, sinks, ports)
     coming = Coming(play, world, clock, ports, orders.token, tell, evening.status)
     sources = {address: open_source(address, coming) for address in dict.fromkeys(orders.options.sources)}

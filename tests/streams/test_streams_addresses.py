@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -66,6 +67,7 @@ def test_a_plug_in_brings_a_kind_of_address(tmp_path: Path, monkeypatch: pytest.
     )
     (tmp_path / "lamp.py").write_text("class Lamp:\n    def __init__(self, address):\n        self.address = address\n")
     monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.delitem(sys.modules, "lamp", raising=False)
     assert vars(open_sink("lamp:kitchen")) == {"address": "lamp:kitchen"}
     assert type(open_sink("osc://127.0.0.1:9000")).__name__ == "OscSink"
     with pytest.raises(AddressFault, match="cannot be loaded") as fault:
