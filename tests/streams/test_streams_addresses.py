@@ -75,6 +75,13 @@ def test_a_plug_in_brings_a_kind_of_address(tmp_path: Path, monkeypatch: pytest.
     assert fault.value.code == "FS982"
 
 
+def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pylsl", None)
+    with pytest.raises(AddressFault) as fault:
+        open_sink("lsl://Ada")
+    assert 'pip install "facescript[lsl]"' in diagnose(fault.value.code, None, **fault.value.values).message  # type: ignore[arg-type]
+
+
 async def test_a_face_that_is_not_there_is_said() -> None:
     with pytest.raises(AddressFault) as fault:
         async with opened("vts://127.0.0.1:1?face=bob", layout("ada", "eve")):

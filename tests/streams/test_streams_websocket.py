@@ -19,7 +19,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from facescript.live import port as ports
 from facescript.live.address import AddressFault
-from facescript.live.model import Layout
+from facescript.live.model import Layout, Mark
 from facescript.live.sinks import ws
 from facescript.live.sinks.ws import WebSocketSink
 
@@ -109,6 +109,20 @@ async def test_who_stops_reading_costs_the_others_nothing() -> None:
             assert most < 16_000, "no more than one message waits"
             seen = await _returns(lazy, sink, of)
     assert seen == 600, "and then it gets the newest"
+
+
+async def test_who_misses_too_much_that_is_said_once_has_to_come_again() -> None:
+    async with opened(ANY, layout()) as sink:
+        assert isinstance(sink, WebSocketSink)
+        lazy = await _lazy(sink)
+        long = Mark("line", 0.0, "x" * 10_000)
+        async with asyncio.timeout(5):
+            while sink._clients:
+                sink.mark(long)
+                assert all(client.waiting <= ws.BEHIND for client in sink._clients)
+                await asyncio.sleep(0)
+        assert sink.counts()["dropped"] >= 1
+        lazy.close()
 
 
 async def _lazy(sink: WebSocketSink) -> socket.socket:
