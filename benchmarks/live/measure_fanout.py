@@ -84,6 +84,7 @@ async def _all() -> list[Row]:
         Row(f"{what}: between two frames at a client", f"p99 {GAP:g} ms", gaps, late <= GAP),
         Row(f"{what}: processor", f"{SHARE:g} of a core", f"{share:.3f} of a core", share <= SHARE),
         Row("ticks late", "", f"p99 {tally.lateness(0.01) * 1000:.1f} ms", None),
+        Row("processor that the clients take", "", f"{found['used']:.3f} of a core", None),
     ]
 
 
