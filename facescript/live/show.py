@@ -39,7 +39,7 @@ class Show:
         """Until its time is over, or the process is told to end. Raises `AddressFault`."""
         try:
             for place in await self._ports.open():
-                tell(f"Events are taken at {place}.")
+                tell(f"The run listens at {place}.")
             await self._opened()
             await self._play(seconds)
         finally:
