@@ -9,7 +9,7 @@ const SPARE = 0.1, EASED = 0.9;  // seconds that are waited for lines that come 
 const LONGEST = 0.25;  // seconds that a picture waits for its sound to come out of the machine, at most
 
 export function clock() {
-  let spans = [], since = 0, frame = 1 / 60, sounding = 0, spare = 0, shift = null;  // `shift`: of the run's time that is shown
+  let spans = [], since = 0, frame = 1 / 60, sounding = 0, spare = 0, shift = null, held = false;  // `shift`: of the run's time that is shown
 
   // A frame of a time of the run has come.
   function came(time) {
@@ -19,7 +19,7 @@ export function clock() {
     const wanted = Math.max(...spans.map((span) => span.ahead)) - BUFFER * frame - sounding - spare;
     const off = wanted - shift, most = PACE * (now - since) / 1000;
     if (shift === null || spans.length < 2 || Math.abs(off) > TOO_FAR) shift = wanted;
-    else shift += Math.sign(off) * Math.min(Math.abs(off), most);
+    else if (!held) shift += Math.sign(off) * Math.min(Math.abs(off), most);
     since = now;
   }
 
@@ -31,6 +31,8 @@ export function clock() {
     wait(seconds) { sounding = Math.min(seconds, LONGEST); },
     // A line came so many seconds too late to be heard from its start with its mouth: the next shall not.
     late(seconds) { spare = seconds > 0 ? Math.min(spare + seconds, SPARE) : spare * EASED; },
+    // While a line sounds nothing comes nearer: its mouth stays with it.
+    hold(on) { held = on; },
     get ready() { return shift !== null; },
     // The time of the run that is shown now.
     now() { return performance.now() / 1000 + shift; },
