@@ -42,6 +42,8 @@ scene one:
 scene two with bruno:
     background #204060 to #806020 over 400ms
     bruno: say "Good evening. Come in, and have a look around the old town hall of ours, it is open until five."
+scene three with ada:
+    wait 200ms
 when touched "Start":
     ada: nod
 when touched "The map":
@@ -94,13 +96,13 @@ def test_what_is_cut_to_is_told(made: Compiled) -> None:
     assert made.score is not None
     score, performance = made.score, perform(made.score)
     layout = Layout(60.0, tuple(performance.faces), performance.names, performance.channels)
-    scenery, start = Scenery(score, layout, World(Path.cwd()).read), score.scenes[1].start
+    scenery, (_, two, three) = Scenery(score, layout, World(Path.cwd()).read), [each.start for each in score.scenes]
     view = next(act.start for act in score.acts if type(act.verb).__name__ == "View")
     seen = []
-    for number, time in enumerate((0.0, 0.1, view + 0.01, view + 0.03, start + 0.01, start + 0.03)):
+    for number, time in enumerate((0.0, 0.1, view + 0.01, two + 0.01, two + 0.03, three - 0.01, three + 0.01)):
         values = performance.sample(np.array([time]))[0]
         seen.append(scenery.scene(Frame(number, time, values), score).head["cuts"])
-    assert np.diff(np.array(seen)).tolist() == [0, 1, 0, 1, 0]
+    assert np.diff(np.array(seen)).tolist() == [0, 1, 1, 0, 0, 1]
 
 
 def test_hair_swings_as_in_a_film() -> None:
