@@ -7,8 +7,10 @@ import asyncio
 import os
 import sys
 import time
+from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from importlib.util import find_spec
 from math import inf
 from pathlib import Path
@@ -23,10 +25,11 @@ from facescript.ir.play import Play
 from facescript.live.address import AddressFault
 from facescript.live.clock import Clock, SimulatedClock, WallClock
 from facescript.live.gate import Gate
+from facescript.live.hearing.own_voice import OwnVoice
 from facescript.live.log import FASTEST, Head, Log, LogFault, Recorded, Replay, open_log
 from facescript.live.loop import Keeper, Loop
 from facescript.live.onsets import Onsets
-from facescript.live.opening import check, fingerprint, open_play, waits
+from facescript.live.opening import check, fingerprint, open_play, prompter_of, waits
 from facescript.live.ports import Ports
 from facescript.live.run.run import Run
 from facescript.live.show import Show
@@ -34,10 +37,13 @@ from facescript.live.sinks.registry import open_sink
 from facescript.live.sinks.setting import Setting as Going
 from facescript.live.sources.registry import open_source
 from facescript.live.sources.setting import Setting as Coming
+from facescript.live.talk.conversation import Conversation
+from facescript.live.talk.prompting import Prompting
 from facescript.project import STANDARD, open_script
+from facescript.resolve.told import Prompter
 from facescript.speech.model import VoiceBox
 from facescript.speech.studio import open_studio
-from facescript.world import ReadWorld, World, WorldFailure
+from facescript.world import ReadWorld, WorldFailure
 
 if TYPE_CHECKING:
     from facescript.live.page.page import Page
@@ -99,7 +105,8 @@ def run(options: argparse.Namespace) -> int:
         raise OptionFault("FS974", name=options.replay, script=options.script, other=orders.recorded.head.script)
     try:
         with ExitStack() as files:
-            asyncio.run(_run(orders, play, read, voice, _keepers(orders, head, files)))
+            prompter = partial(prompter_of, source, read, orders.chosen)
+            asyncio.run(_run(orders, play, read, voice, prompter, _keepers(orders, head, files)))
     except AddressFault as fault:
         raise OptionFault(fault.code, **fault.values) from None
     return 0
@@ -167,23 +174,33 @@ def _opened(name: str, files: ExitStack) -> TextIO:
         raise OptionFault("FS903", path=name, reason=fault.strerror or "it cannot be written") from None
 
 
-async def _run(orders: Orders, play: Play, world: World, voice: VoiceBox, keepers: list[Keeper]) -> None:
+async def _run(
+    orders: Orders,
+    play: Play,
+    world: ReadWorld,
+    voice: VoiceBox,
+    prompter: Callable[[], Prompter],
+    keepers: list[Keeper],
+) -> None:
     """Raises `AddressFault`."""
     clock: Clock = SimulatedClock() if orders.hasty else WallClock()
     gate = Gate(clock, orders.fps, waits(play), tell)
     feed = gate if orders.recorded is None else Replay(orders.recorded)
-    performer = Run(play, voice, orders.fps)
+    prompting = Prompting(prompter, tuple(face.name for face in play.faces))
+    performer = Run(play, voice, orders.fps, prompting)
     sinks = {address: open_sink(address, Going(orders.token, orders.hasty, tell)) for address in orders.sinks}
     pages = _pages(orders, play, world, performer)
     sinks |= pages
-    loop, ports = Loop(performer, clock, feed, sinks.values(), keepers), Ports()
+    talk, own, ports = Conversation(prompting, voice), OwnVoice(), Ports()
+    loop = Loop(performer, clock, feed, [*sinks.values(), own, talk], keepers)
     evening = Show(loop, gate, sinks, ports)
-    coming = Coming(play, world, clock, ports, orders.token, tell, evening.status)
+    coming = Coming(play, world, clock, ports, orders.token, tell, evening.status, talk, own)
     sources = {address: open_source(address, coming) for address in dict.fromkeys(orders.options.sources)}
     evening.sources = sources | pages
     try:
         await evening.run(orders.seconds, tell)
     finally:
+        await talk.close()
         for line in evening.summary():
             tell(line)
 

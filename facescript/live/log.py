@@ -10,8 +10,9 @@ from itertools import islice
 from pathlib import Path
 from typing import TextIO
 
-from facescript.live.messages import LARGEST, Nonsense, as_object, loaded, number, of_object
-from facescript.live.model import Frame, Mark, Told
+from facescript.live.messages import LARGEST, LATEST, Nonsense, as_object, loaded, number, of_object
+from facescript.live.model import Frame, Happening, Mark, Told
+from facescript.resolve.told import HUSHED, LONGEST, TOLD
 
 FORM = 1
 """The form of logs; another number is for logs that this version cannot read."""
@@ -131,7 +132,18 @@ def _entry(message: dict[str, object]) -> Entry:
         return Entry(frame, dropped=int(number(message["dropped"], 1, LAST, "so many frames were not dropped")))
     if "ended" in message:
         return Entry(frame, ended=True)
+    if TOLD in message or HUSHED in message:
+        return Entry(frame, (_statement(message),))
     return Entry(frame, of_object(message))
+
+
+def _statement(message: dict[str, object]) -> Happening:
+    """What a program told the run, or that it interrupted a face: only a log says so."""
+    kind = TOLD if TOLD in message else HUSHED
+    text = message[kind]
+    if not isinstance(text, str) or len(text) > LONGEST:
+        raise Nonsense(f"what is told has at most {LONGEST} characters")
+    return Happening(kind, number(message.get("time"), 0.0, LATEST, "a time is seconds of the run"), text)
 
 
 def lines(path: Path) -> Iterator[tuple[int, dict[str, object]]]:

@@ -14,6 +14,7 @@ from facescript.ir.acts import Do, Say
 from facescript.ir.play import Play
 from facescript.live.model import Happening
 from facescript.project import is_play
+from facescript.resolve.told import HUSHED, TOLD, Prompter
 from facescript.schedule.events import heeds
 from facescript.schedule.kept import Kept
 from facescript.schedule.labels import nodes
@@ -47,6 +48,18 @@ def open_play(source: Source, world: World, settings: Settings) -> tuple[Play | 
     return replace(play, film=replace(play.film, seed=int(settings.film["seed"]))), told
 
 
+def prompter_of(source: Source, world: World, settings: Settings) -> Prompter:
+    """Who resolves what is told to a script, or a play in JSON, that has no errors."""
+    told = Diagnostics()
+    if is_play(source):
+        from facescript.plays import script_of
+
+        found = script_of(source, world, source.name, told, settings)
+        assert found is not None
+        return Prompter(found.script, world, told)
+    return Prompter(parse(source, told), world, told, settings.overrides)
+
+
 def check(play: Play, voice: VoiceBox, told: Diagnostics) -> None:
     """Tells what is wrong with the times of the scenes, as far as a build of a minute shows it, and which lines of
     reactions cannot be spoken: once it runs, nobody may be there to be told."""
@@ -68,7 +81,9 @@ def waits(play: Play) -> Callable[[Happening], bool]:
     patterns = [reaction.event for reaction in play.reactions]
 
     def known(happening: Happening) -> bool:
-        return happening.person is not None or any(heeds(pattern, happening) for pattern in patterns)
+        if happening.person is not None or happening.kind in (TOLD, HUSHED):
+            return True
+        return any(heeds(pattern, happening) for pattern in patterns)
 
     return known
 

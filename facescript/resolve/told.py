@@ -19,8 +19,8 @@ from facescript.syntax.parser import parse
 from facescript.text import Source, Span
 from facescript.world import World
 
-KIND = "told"
-"""The kind of event that what was told is a reaction to."""
+TOLD, HUSHED = "told", "hushed"
+"""The kinds of event that statements come by, and that ends what a face was told to say."""
 
 LONGEST, MOST = 4_000, 200
 """Characters, and statements once its actions are unfolded, of what is told at once."""
@@ -75,7 +75,7 @@ class Prompter:
         project = self._afresh(diagnostics)
         self._files.told = whole
         try:
-            found = reacting(project, EventPattern(KIND, whole.text), block, whole, tuple(project.faces), "told.")
+            found = reacting(project, EventPattern(TOLD, whole.text), block, whole, tuple(project.faces), "told.")
             check_marks(project)
             return found
         except Refused:

@@ -17,7 +17,6 @@ from facescript.schedule.solver import Solver
 from facescript.schedule.steps import DONE, NEVER, Key, Maker, Root, Step, ends_in_line
 from facescript.schedule.voices import word_end
 
-
 NUMBER = 3
 """Where in a reaction's place its number stands."""
 

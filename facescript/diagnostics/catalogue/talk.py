@@ -39,4 +39,25 @@ TALK: tuple[Entry, ...] = (
         "A long answer is spoken sentence by sentence.",
         stage="unforced",
     ),
+    Entry(
+        "FS993",
+        "told-many",
+        Severity.ERROR,
+        "{most} statements wait already for their turn to be spoken; tell this one later, or interrupt.",
+        HELLO,
+        HELLO,
+        "What speaks waits until its face has done speaking.",
+        stage="unforced",
+    ),
+    Entry(
+        "FS994",
+        "hears-nothing",
+        Severity.ERROR,
+        "There is nothing to listen for: {reason}; the recogniser knows English, and `text:FILE` takes words of any "
+        "language.",
+        "nod\n",
+        'nod\nwhen heard "no":\n    nod\n',
+        "What is heard is one of the texts of `when heard`.",
+        stage="unforced",
+    ),
 )

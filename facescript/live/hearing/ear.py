@@ -20,6 +20,10 @@ LONGEST = 6 * RATE
 """Samples of one utterance: what is longer is no phrase, and is not listened to any more."""
 
 
+DEAF = 1 << 31
+"""The bit of a length that says that so many samples are passed over (`program.py`)."""
+
+
 class Recogniser(Protocol):
     """Listens to one utterance after another."""
 

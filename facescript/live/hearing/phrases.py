@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from facescript.ir.acts import Say, Voice
 from facescript.ir.play import Play
 from facescript.ir.wording import words
 from facescript.speech.align.sphinx import names
-from facescript.speech.model import VoiceBox, VoiceFailure
+from facescript.speech.model import VoiceBox
 
 ENGLISH = Voice("en-us")
 
@@ -44,14 +44,7 @@ def phrases(texts: Iterable[str]) -> list[Phrase]:
     return [one for one in found if one.words and len(one.words) <= LONGEST and "".join(one.words).isascii()][:MOST]
 
 
-def spelt(known: Sequence[Phrase], voice: VoiceBox) -> dict[str, list[str]]:
-    """How a voice says each of the words, as names of sounds (ARPAbet): for words that no dictionary has. What it
-    cannot say is left out."""
-    sounds: dict[str, list[str]] = {}
-    for word in dict.fromkeys(word for one in known for word in one.words):
-        try:
-            phones = voice.speak(Say(word, ENGLISH)).phones
-        except VoiceFailure:
-            continue
-        sounds[word] = [name for phone in phones for name in names(phone.symbol)]
-    return sounds
+def sounds_of(word: str, voice: VoiceBox) -> tuple[str, ...]:
+    """How a voice says a word that no dictionary has, as names of sounds (ARPAbet). Raises `VoiceFailure`."""
+    phones = voice.speak(Say(word, ENGLISH)).phones
+    return tuple(name for phone in phones for name in names(phone.symbol))

@@ -10,7 +10,6 @@ from facescript.live.gate import Bucket
 from facescript.live.messages import Nonsense, read
 from facescript.live.model import Happening, Teller, Told
 
-
 PACE = 1000.0
 """Messages a second of a source that are read, and as many at once; all above are counted alone."""
 

@@ -32,6 +32,10 @@ SOURCES: Mapping[str, Row] = {
     "camera": Row("camera", "camera:0", "cv2", "camera"),
     "video": Row("camera", "video:visit.mp4", "cv2", "camera"),
     "track": Row("track", "track:visit.csv"),
+    "microphone": Row("microphone", "microphone:", "sounddevice", "microphone"),
+    "wav": Row("wav", "wav:visit.wav"),
+    "text": Row("text", "text:visit.txt"),
+    "talk": Row("talk", "talk://127.0.0.1:8770", "websockets", "live"),
     "lsl": Row("lsl", "lsl://Markers", "pylsl", "lsl"),
 }
 

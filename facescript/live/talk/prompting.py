@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cached_property
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.acts import Do, Node, Say, Sequence
 from facescript.ir.play import EventPattern, Reaction
 from facescript.live.model import Happening
-from facescript.resolve.told import KIND, Prompter
+from facescript.resolve.told import HUSHED, TOLD, Prompter
 from facescript.schedule.labels import nodes
 from facescript.text import Source, Span
-
-HUSHED = "hushed"
-"""The kind of event that ends what was told a face to say; its text is the face's name."""
 
 AT_ONCE = 1000
 """Of so many statements that do not speak none is like another; later ones take the place of what is long over."""
@@ -22,33 +20,35 @@ NOWHERE = Span(Source("told", ""), 0, 0)
 
 
 class Prompting:
-    """Tells a run what it was told. All that a face says so is as one reaction, which a next one starts afresh: the line
-    that sounds breaks off at the end of its word and is not said again. What does not speak stands for itself."""
+    """Tells a run what it was told. All that a face is told to say is as one reaction, which the next one starts afresh:
+    the line that sounds breaks off at the end of its word and is not said again. What does not speak stands alone."""
 
-    def __init__(self, prompter: Prompter, faces: tuple[str, ...]) -> None:
-        self._prompter = prompter
+    def __init__(self, prompter: Callable[[], Prompter], faces: tuple[str, ...]) -> None:
+        self._made = prompter
         self._numbers = {face: -1 - index for index, face in enumerate(faces)}
         self._count = 0
+
+    @cached_property
+    def prompter(self) -> Prompter:
+        """Who knows the script's names; made when something is told first."""
+        return self._made()
 
     def __call__(self, event: Happening) -> Iterator[tuple[int, Reaction]]:
         """The reactions that an event starts, with the numbers of what they take the place of."""
         if event.kind == HUSHED and event.text in self._numbers:
             yield self._numbers[event.text], _nothing(event.text)
-        elif event.kind == KIND:
-            reaction = self._prompter.reaction(event.text, Diagnostics())
+        elif event.kind == TOLD:
+            reaction = self.prompter.reaction(event.text, Diagnostics())
             if reaction is not None:
                 yield from self._told(reaction)
 
     def _told(self, reaction: Reaction) -> Iterator[tuple[int, Reaction]]:
-        first, *others = [face for face, _ in says(reaction.body)] or [None]
-        for face in dict.fromkeys(others):
-            if face is not None and face != first:
-                yield self._numbers[face], _nothing(face)
-        if first is not None:
-            yield self._numbers[first], reaction
-        else:
+        faces = list(dict.fromkeys(face for face, _ in says(reaction.body)))
+        for face in faces[1:]:
+            yield self._numbers[face], _nothing(face)
+        if not faces:
             self._count = (self._count + 1) % AT_ONCE
-            yield -1 - len(self._numbers) - self._count, reaction
+        yield self._numbers[faces[0]] if faces else -1 - len(self._numbers) - self._count, reaction
 
 
 def says(body: Node) -> list[tuple[str, Say]]:

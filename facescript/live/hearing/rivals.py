@@ -1,0 +1,51 @@
+"""Words to those that sound nearly like them: what was said may be one of these, and then it was not the word."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+
+Sounds = tuple[str, ...]
+"""How a word is said: names of sounds (ARPAbet)."""
+
+Dictionary = Mapping[str, Sequence[Sounds]]
+
+COMMON = """
+a about all and are at be because but by can come could day did do does down for get give go good great have he hello
+help her here hi him his how i in is it just know like little look man many me more much my new nice not now of oh okay
+on one open or other our out over people please right say see she so some sorry stop take tell that the their them then
+there they thing think this time to two up us very wait want was we well were what when where which who why will with
+would yeah yes you your
+""".split()
+"""What people say often: it competes as a word alone."""
+
+
+def read_dictionary(path: Path) -> dict[str, list[Sounds]]:
+    """A dictionary of the CMU's form: a word (a second way to say it is `word(2)`) and its sounds, a line each."""
+    found: dict[str, list[Sounds]] = {}
+    for line in path.read_text("utf-8").splitlines():
+        word, *sounds = line.split()
+        found.setdefault(word.split("(")[0], []).append(tuple(sounds))
+    return found
+
+
+def rivals(ways: Iterable[Sounds], dictionary: Dictionary, often: Callable[[str], float], most: int) -> list[str]:
+    """The words that differ in one sound from a word that is said in these ways, those that are said `often` first; none
+    that is said just as it is."""
+    mine = frozenset(ways)
+    near = (
+        word
+        for word, others in dictionary.items()
+        if word.isalpha() and mine.isdisjoint(others) and any(_near(one, other) for one in mine for other in others)
+    )
+    return sorted(near, key=lambda word: -often(word))[:most]
+
+
+def _near(one: Sounds, other: Sounds) -> bool:
+    """Whether two words differ in one sound: in another one there, one more or one less."""
+    if abs(len(one) - len(other)) > 1:
+        return False
+    same = min(len(one), len(other))
+    first = next((at for at in range(same) if one[at] != other[at]), same)
+    last = next((at for at in range(same - first) if one[-1 - at] != other[-1 - at]), same - first)
+    return max(len(one), len(other)) - first - last <= 1
