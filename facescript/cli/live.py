@@ -205,7 +205,7 @@ async def _run(
             tell(line)
 
 
-def _pages(orders: Orders, play: Play, world: World, run: Run) -> dict[str, Page]:
+def _pages(orders: Orders, play: Play, world: ReadWorld, run: Run) -> dict[str, Page]:
     """The page, where one is wanted, by the option that wants it. Raises `OptionFault`."""
     if orders.options.page is None:
         return {}
