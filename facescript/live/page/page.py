@@ -113,12 +113,7 @@ class Page:
     def frame(self, frame: Frame) -> None:
         """Has a frame drawn if a page will draw it. Of frames that come while dozens wait none is kept."""
         self._time = frame.time
-        if (
-            self._easel is None
-            or not self._figure
-            or frame.number < self._next
-            or all(guest.idle for guest in self._guests)
-        ):
+        if self._easel is None or not self._figure or frame.number < self._next or self._unwatched:
             return
         if len(self._under_way) >= UNDER_WAY:
             self._counts["dropped"] += 1
