@@ -11,6 +11,7 @@ import sys
 import time
 from collections import deque
 from collections.abc import Iterator
+from contextlib import ExitStack
 from http.client import HTTPConnection
 from itertools import pairwise
 from pathlib import Path
@@ -24,6 +25,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
 from facescript.live.page.guest import AHEAD
+from facescript.live.page.page import PAGES
 
 pytestmark = pytest.mark.skipif(program() is None, reason="no Chromium on this machine")
 
@@ -227,6 +229,15 @@ def test_strangers_and_nonsense_are_refused(live: Live) -> None:
         page.send("x" * 5000)
         with pytest.raises(ConnectionClosed):
             deque(page, 0)
+
+
+def test_no_more_pages_may_be_open_than_it_can_serve(page: Page, live: Live) -> None:
+    with ExitStack() as pages:
+        for _ in range(PAGES - 1):
+            pages.enter_context(live.socket())
+        with pytest.raises(InvalidStatus, match="503"):
+            live.socket()
+    assert page.run("facescript.picture.waiting") == 0
 
 
 def test_it_waits_for_a_server_that_answers_nothing_and_comes_back(page: Page, live: Live) -> None:
