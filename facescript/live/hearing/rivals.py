@@ -30,8 +30,7 @@ def read_dictionary(path: Path) -> dict[str, list[Sounds]]:
 
 
 def rivals(ways: Iterable[Sounds], dictionary: Dictionary, often: Callable[[str], float], most: int) -> list[str]:
-    """The words that differ in one sound from a word that is said in these ways, those that are said `often` first; none
-    that is said just as it is."""
+    """The words that differ in one sound from a word that is said in these ways, those that are said `often` first."""
     mine = frozenset(ways)
     near = (
         word

@@ -219,12 +219,8 @@ class Conversation:
 
     def mark(self, mark: Mark) -> None:
         if self._ears and not (mark.kind == "event" and mark.text.startswith((TOLD, HUSHED))):
-            said: dict[str, object] = {
-                mark.kind: mark.text,
-                "face": mark.face,
-                "label": mark.label,
-                "time": round(mark.time, 3),
-            }
+            said: dict[str, object] = {mark.kind: mark.text, "face": mark.face, "label": mark.label}
+            said["time"] = round(mark.time, 3)
             for ear in tuple(self._ears):
                 ear(said)
 
