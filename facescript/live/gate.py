@@ -26,6 +26,10 @@ FORGOTTEN = 60.0
 QUICKEST, QUICKEST_OF_ALL = 10.0, 60.0
 """As often in a second an event is heeded, and all events together; a second's worth may come at once."""
 
+HEEDING, PROMPT = 10.0, 5.0
+"""Frames a second that heed events, and how many may do so one after another: what comes in between waits for the next
+of them. To heed events is far more work than a frame."""
+
 MOST_TOLD = 20
 """Events of no reaction that are told of."""
 
@@ -37,13 +41,14 @@ Key = tuple[str, str, str | None]
 
 
 class Bucket:
-    """As many as `rate` a second, and as many at once after a pause."""
+    """As many as `rate` a second, and `most` at once after a pause: as many where it is not said."""
 
-    def __init__(self, rate: float) -> None:
-        self._rate, self._left, self._since = rate, rate, 0.0
+    def __init__(self, rate: float, most: float | None = None) -> None:
+        self._rate, self._most = rate, most or rate
+        self._left, self._since = self._most, 0.0
 
     def takes(self, now: float) -> bool:
-        self._left = min(self._rate, self._left + (now - self._since) * self._rate)
+        self._left = min(self._most, self._left + (now - self._since) * self._rate)
         self._since = now
         if self._left < 1.0:
             return False
@@ -66,7 +71,7 @@ class Gate:
         self._seen: dict[str, Sighting] = {}
         self._persons: dict[str, float] = {}
         self._buckets: dict[Key, Bucket] = {}
-        self._all = Bucket(QUICKEST_OF_ALL)
+        self._all, self._heeding = Bucket(QUICKEST_OF_ALL), Bucket(HEEDING, PROMPT)
         self._strange: set[tuple[str, str]] = set()
         self._counts: Counter[str] = Counter()
 
@@ -106,15 +111,26 @@ class Gate:
         order, events at times in between."""
         with self._lock:
             now = max(upto, self._clock.now())
-            found: list[Told] = []
+            ready: list[tuple[float, int, Told]] = []
             while self._waiting and self._waiting[0][0] <= now:
-                time, _, item = heappop(self._waiting)
-                if isinstance(item, Sighting):
-                    found.append(self._seen.pop(item.person))
-                else:
-                    self._due.pop(key(item), None)
-                    found.append(replace(item, time=between(time, after, upto)))
-            return found
+                ready.append(heappop(self._waiting))
+            events = any(isinstance(item, Happening) for _, _, item in ready)
+            held = events and not self._heeding.takes(now)
+            return [self._heeded(one, after, upto) for one in ready if not held or not self._held(one)]
+
+    def _held(self, one: tuple[float, int, Told]) -> bool:
+        """Has an event wait on."""
+        if isinstance(one[2], Sighting):
+            return False
+        heappush(self._waiting, one)
+        return True
+
+    def _heeded(self, one: tuple[float, int, Told], after: float, upto: float) -> Told:
+        time, _, item = one
+        if isinstance(item, Sighting):
+            return self._seen.pop(item.person)
+        self._due.pop(key(item), None)
+        return replace(item, time=between(time, after, upto))
 
     def counts(self) -> dict[str, int]:
         """What was taken, coalesced and refused, and why."""
@@ -128,7 +144,7 @@ class Gate:
             return STRANGE
         if due > now + AHEAD:
             return EARLY
-        if abs(due - self._due.get(name, -1.0)) < self._frame:
+        if name in self._due and abs(due - max(now, self._due[name])) < self._frame:
             return SAME
         if len(self._waiting) >= MOST_WAITING or not self._often(name, now):
             return MANY

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import logging
 import re
+import socket
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 from http import HTTPStatus
 from typing import Any
 from urllib.parse import urlsplit
@@ -23,6 +26,9 @@ MOST = 128
 
 LARGEST_HEAD = 8192
 """Bytes of a request before its body."""
+
+AT_ONCE = 8192
+"""Bytes of a connection that the system keeps: what is there is read at once, and frames wait for that."""
 
 POST = re.compile(r"POST (/[!-~]{0,2000}) HTTP/1\.[01]", re.ASCII)
 HEADER = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]{1,100}):[ \t]*([^\r\n\0]*?)[ \t]*", re.ASCII)
@@ -126,6 +132,11 @@ class Doorway(ServerConnection):
     def __init__(self, *values: Any, **named: Any) -> None:
         super().__init__(*values, **named)
         self._gathered, self._decided = b"", False
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        super().connection_made(transport)
+        with suppress(OSError):
+            transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, AT_ONCE)
 
     def data_received(self, data: bytes) -> None:
         if self._decided:

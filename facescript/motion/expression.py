@@ -63,6 +63,10 @@ class Layer:
         asked = sum((part.at(times) for part in self.parts), np.zeros((len(ROWS), len(times))))
         return asked if self.ripple is None else asked * (1.0 + self.ripple.at(times))
 
+    def covers(self, row: int) -> float:
+        """How far it takes the place of what is below it on a driver: 0 or 1."""
+        return float(self.base) if self.recorded is None else float(self.recorded.recording.has[row])
+
     @property
     def changes(self) -> Iterator[Ramp]:
         yield self.rise

@@ -17,6 +17,7 @@ from facescript.motion.gaze.track import GazeTrack
 from facescript.motion.gesture import Gestures
 from facescript.motion.hair import Hair
 from facescript.motion.life.lives import Lives, lives
+from facescript.motion.life.memory import Memory
 from facescript.motion.mouth import MouthTrack
 from facescript.motion.recorded import Recorded, Turned
 from facescript.performance.channels import POSE, channels_of
@@ -27,6 +28,9 @@ from facescript.speech.mouth.own import table_of
 _PLACE = rows(("head.x", "head.y"))
 _TURNS = rows(("head.yaw", "head.pitch", "head.roll"))
 _SIGHTS = rows(("gaze.yaw", "gaze.pitch"))
+
+Memories = dict[tuple[str, int], Memory]
+"""What is remembered of a face's life in each scene, by the scene's name and how often it was played before."""
 
 
 def perform(score: Score) -> Performance:
@@ -53,8 +57,9 @@ class SceneMotion:
 class FaceMotion:
     """One face over the whole film. Its sources stay apart in `asked`, so that each can be looked at alone."""
 
-    def __init__(self, score: Score, face: Face) -> None:
-        self.scenes = tuple(_scenes(score, face))
+    def __init__(self, score: Score, face: Face, memories: Memories | None = None) -> None:
+        """In a run there are `memories` of its lives."""
+        self.scenes = tuple(_scenes(score, face, memories))
         self.gaze = GazeTrack(score, face)
         spoken = tuple(line for line in score.lines if line.face == face.name)
         self.mouth = MouthTrack(spoken, table_of(score.visemes))
@@ -117,7 +122,7 @@ class FaceMotion:
         return replace(asked, head=head, turned=turned)
 
 
-def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
+def _scenes(score: Score, face: Face, memories: Memories | None) -> Iterator[SceneMotion]:
     """The scenes a face is in; it is neutral in the others."""
     starts = [scene.start for scene in score.scenes]
     for number, scene in enumerate(score.scenes):
@@ -125,13 +130,15 @@ def _scenes(score: Score, face: Face) -> Iterator[SceneMotion]:
             continue
         acts = tuple(act for act in score.acts if act.face == face.name and act.scene == number)
         lines = tuple(line for line in score.lines if line.face == face.name and scene.start <= line.start < scene.end)
-        dice = Dice(score.film.seed, (face.name, scene.name, _times_before(score.scenes, number)))
+        again = _times_before(score.scenes, number)
+        dice = Dice(score.film.seed, (face.name, scene.name, again))
+        memory = None if memories is None else memories.setdefault((scene.name, again), Memory())
         yield SceneMotion(
             scene.start,
             starts[number + 1] if number + 1 < len(starts) else np.inf,
             Expression(acts, scene.start, scene.end),
             Gestures(acts),
-            lives(face.life, acts, lines, scene.start, scene.end, dice, channels_of(face.parts)),
+            lives(face.life, acts, lines, scene.start, scene.end, dice, channels_of(face.parts), memory),
             Recorded(acts),
         )
 

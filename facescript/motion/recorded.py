@@ -83,6 +83,7 @@ def _unbent(values: Floats) -> Floats:
 class Playing:
     """A take as it is played from `start` on (s), `rise` and `fall` how it comes in and lets go."""
 
+    act: TimedAct
     recording: Recording
     start: float
     speed: float
@@ -114,7 +115,7 @@ def playing(act: TimedAct) -> Playing:
     """A play of the score."""
     assert isinstance(act.verb, Perform)
     rise = Ramp(act.start, min(act.start + JOINED, act.released))
-    return Playing(recording(act.verb.take), act.start, number(act.verb.speed), rise, Ramp(act.released, act.end))
+    return Playing(act, recording(act.verb.take), act.start, number(act.verb.speed), rise, Ramp(act.released, act.end))
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,6 +132,11 @@ class Turned:
     def nowhere(cls, count: int) -> Turned:
         """At so many times, nothing is turned."""
         return cls(np.zeros((count, 3)), np.zeros(count), np.zeros((count, 2, 3)), np.zeros(count))
+
+    @classmethod
+    def of_eyes(cls, eyes: Floats, share: Floats) -> Turned:
+        """Where the eyes are turned alone."""
+        return cls(np.zeros((len(share), 3)), np.zeros(len(share)), eyes, share)
 
     def lay(self, window: slice, other: Turned) -> None:
         """What is turned in a stretch of the times."""
@@ -152,6 +158,15 @@ class Recorded:
 
     def __bool__(self) -> bool:
         return bool(self._plays)
+
+    def turning(self, part: int, time: float) -> TimedAct | None:
+        """The latest play that turns the head (`part` 0) or the eyes (1) at a time."""
+        at = np.array([time])
+        for item, looks in reversed(self._plays):
+            has = (item.recording.turns, item.recording.looks)[part]
+            if has and item.weight(at)[0] * _left(looks, part, at)[0] > 0.0:
+                return item.act
+        return None
 
     def turned(self, times: Floats) -> Turned:
         """Head and eyes at `times` (sorted)."""

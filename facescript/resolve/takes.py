@@ -8,11 +8,15 @@ from facescript.resolve.lines import Line
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project
 from facescript.resolve.quoted import quoted_text
-from facescript.resolve.units import SHARE, TIME
+from facescript.resolve.speeds import speed_of
+from facescript.resolve.units import TIME
 from facescript.shapes.takes.files import LARGEST, read_take
 from facescript.shapes.takes.model import Found, NotATake
 from facescript.text import Span
 from facescript.world import WorldFailure
+
+SLOWEST, FASTEST = 0.1, 10.0
+"""The least and the greatest `speed` of a take."""
 
 
 def play(project: Project, line: Line, place: Place) -> Perform:
@@ -24,8 +28,8 @@ def play(project: Project, line: Line, place: Place) -> Perform:
     found = project.memo.once(
         project, ("take", name, face), line.head[1], lambda: _read(project, path, name, span, face)
     )
-    speed = line.amount("speed", SHARE)
-    return Perform(found.take, 1.0 if speed is None else speed, Timing(lasting=line.amount("for", TIME)))
+    speed = speed_of(line, SLOWEST, FASTEST, "a recorded face has")
+    return Perform(found.take, speed, Timing(lasting=line.amount("for", TIME)))
 
 
 def _read(project: Project, path: str, name: str, span: Span, face: str) -> Found:

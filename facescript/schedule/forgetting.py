@@ -17,8 +17,8 @@ DONE_AT = NEVER, False
 
 @dataclass(slots=True)
 class Forgetting:
-    """Goes through the trees of a round. Of what began before `time` the `past` keeps what the rest hangs on; `live` are
-    the steps that will be solved again (by `id`), `said` from when on the lines among them are."""
+    """Goes through the trees of a round. Of what began before `time` the `past` keeps what the rest hangs on; `live`
+    are the steps that will be solved again (by `id`), `said` from when on the lines among them are."""
 
     time: float
     past: Past = field(default_factory=Past)

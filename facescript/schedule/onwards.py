@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from facescript.ir.acts import Glance, Look, Say, Scan
 from facescript.ir.play import Play, Reaction
+from facescript.ir.values import AtTarget
 from facescript.schedule.deeds import Deed, Sounding
 from facescript.schedule.drops import Key as Term
 from facescript.schedule.drops import take_off
@@ -29,6 +30,7 @@ from facescript.schedule.steps import DONE, NEVER, Key, Maker, Past, Root
 from facescript.schedule.voices import Voices
 from facescript.schedule.worn import Worn, still_worn, worn
 from facescript.schedule.writing import Writing
+from facescript.space.live import LiveTarget
 from facescript.space.plan import GazePlan
 from facescript.space.planner import GazeRequest, Planning, plan_gaze
 from facescript.space.room import Room
@@ -82,14 +84,14 @@ class Outlook:
     lines: list[tuple[Sounding, TimedLine]] = field(default_factory=list)
 
 
-@dataclass(slots=True)
-class Earlier:
-    """What one face did in its scene that is not told of any more: how often it said which text, made which shift of
-    gaze, and had which life."""
+@dataclass(frozen=True, slots=True)
+class Forgotten:
+    """What a score tells of no more: acts of the scene that plays (its name, and how often it was played before) and
+    lines."""
 
-    said: Counter[str] = field(default_factory=Counter)
-    shifted: Counter[str] = field(default_factory=Counter)
-    lived: Counter[str] = field(default_factory=Counter)
+    scene: tuple[str, int]
+    acts: tuple[TimedAct, ...]
+    lines: tuple[TimedLine, ...]
 
 
 class Onwards:
@@ -102,6 +104,7 @@ class Onwards:
     def __init__(self, play: Play, voice: VoiceBox, told: Told = nothing) -> None:
         self.play = replace(play, film=replace(play.film, long=None), events=())
         self.room = Room(self.play.film, play.faces, play.targets)
+        self.room.live, self._own = True, play.targets
         self._means = Means(self.play, voice, self.room)
         self.voices = Voices(voice, self._means.spoken)
         self.faults = Faults()
@@ -116,6 +119,24 @@ class Onwards:
         self._lines: list[TimedLine] = []
         self._gazes: dict[str, Planning] = {}
         self._outlook: Outlook | None = None
+
+    def meet(self, persons: Iterable[LiveTarget]) -> None:
+        """Have persons in the room; one whom the script names too takes the place of that target."""
+        self.room.targets.update((person.name, person) for person in persons)
+        self.play = replace(self.play, targets=tuple(self.room.targets.values()))
+
+    def part(self, persons: Iterable[str]) -> None:
+        """Have persons in the room no more."""
+        for person in persons:
+            self.room.targets.pop(person, None)
+            self.room.targets.update((own.name, own) for own in self._own if own.name == person)
+        self.play = replace(self.play, targets=tuple(self.room.targets.values()))
+
+    @property
+    def looked_at(self) -> set[str]:
+        """The targets that gaze may go back to."""
+        aims = (aim for planning in self._gazes.values() for aim in planning.aims.values())
+        return {aim.name for aim in aims if isinstance(aim, AtTarget)}
 
     def heed(self, event: Happening) -> bool:
         """An event, at a time that is not before that of the last one; whether any reaction waits for it."""
@@ -239,11 +260,10 @@ class Onwards:
 
     # ------------------------------------------------------------------------------------------------ forgetting
 
-    def forget(self, time: float) -> None:
+    def forget(self, time: float) -> Forgotten:
         """What is over by a time is not solved again. All events before that time have been heeded."""
         outlook = self._outlook
-        if outlook is None:
-            return
+        assert outlook is not None, "there is nothing to forget before the first solution"
         solved = outlook.round
         begin = begin_of(solved, time)
         forgetting = Forgetting(time)
@@ -252,13 +272,16 @@ class Onwards:
         for root in solved.reactions:
             forgetting.tree(root)
         over = self._over(solved, forgetting)
-        self._forget_lines(outlook, forgetting)
-        self._forget_deeds(outlook, begin, forgetting, over)
+        lines = self._forget_lines(outlook, forgetting)
+        acts = self._forget_deeds(outlook, begin, forgetting, over)
         self._forget_past(solved, forgetting, over, time)
         self._begin = begin
         self._heeded = [one for one in self._heeded if one.rank not in over]
         if len(self._means.paced) > PACED:
             self._means.paced.clear()
+        scene = self.play.scenes[begin.scene]
+        said = tuple(line for line in lines if line.start >= begin.start)
+        return Forgotten((scene.name, begin.played - dict(begin.first)[begin.scene]), acts, said)
 
     def _over(self, solved: Round, forgetting: Forgetting) -> set[int]:
         """The ranks of the reactions that nothing hangs on any more."""
@@ -279,16 +302,21 @@ class Onwards:
                 kept.add(one.trigger.number)
         return over
 
-    def _forget_lines(self, outlook: Outlook, forgetting: Forgetting) -> None:
+    def _forget_lines(self, outlook: Outlook, forgetting: Forgetting) -> tuple[TimedLine, ...]:
         """Lines that are not solved again are told of a little longer, and the last of each face as long as it is."""
         for sound, line in outlook.lines:
             step = id(sound.step)
             if step not in forgetting.live or sound.start < forgetting.said.get(step, 0.0):
                 self._lines.append(line)
-        last = {line.face: line for line in sorted(self._lines, key=lambda line: line.end)}
-        self._lines = [line for line in self._lines if line.end > forgetting.time - TAIL or line is last[line.face]]
+        last = {line.face: id(line) for line in sorted(self._lines, key=lambda line: line.end)}
+        since = forgetting.time - TAIL
+        gone = [line for line in self._lines if line.end <= since and id(line) != last[line.face]]
+        self._lines = [line for line in self._lines if line not in gone]
+        return tuple(gone)
 
-    def _forget_deeds(self, outlook: Outlook, begin: Begin, forgetting: Forgetting, over: set[int]) -> None:
+    def _forget_deeds(
+        self, outlook: Outlook, begin: Begin, forgetting: Forgetting, over: set[int]
+    ) -> tuple[TimedAct, ...]:
         numbers = {one.rank: one.trigger.number for one in self._heeded}
         if begin.played != self._begin.played:
             self._gazes.clear()
@@ -306,6 +334,8 @@ class Onwards:
         self._pass_gaze(outlook, begin, forgetting.time)
         owners = {key[0] for gaze in self._gazes.values() for key in gaze.owners}
         self._worn = list(still_worn(items, orders, owners, forgetting.time))  # type: ignore[arg-type]
+        kept = {one.deed.order for one in self._worn}
+        return tuple(one.act for one in items if one.deed.order not in kept)
 
     def _pass_gaze(self, outlook: Outlook, begin: Begin, time: float) -> None:
         """What was planned of gaze before the time stays."""

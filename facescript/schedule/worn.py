@@ -26,6 +26,9 @@ from facescript.schedule.steps import NEVER, Key
 from facescript.space.main_sequence import VERGENCE_TIME
 from facescript.space.plan import GazePlan
 
+QUIETED = 1.0
+"""Seconds after a change in which something of what was before may be left: a life comes to rest."""
+
 LAST = (SetLife, SetBackground, View, SetPicture)
 """Verbs of which the last one counts."""
 
@@ -52,7 +55,7 @@ class Worn:
             end = deed.release + (self.act.verb.timing.back or 0.0)  # type: ignore[union-attr,operator]
         elif plan:
             end = gone(plan, deed.release)
-        return replace(self.act, plan=plan, drops=drops, released=deed.release, end=end)
+        return replace(self.act, scene=0, plan=plan, drops=drops, released=deed.release, end=end)
 
 
 def worn(deed: Deed, act: TimedAct, key: Key, reaction: int | None) -> Worn:
@@ -126,11 +129,12 @@ def _uncovered(items: list[Worn], time: float) -> list[Worn]:
         kind = (type(one.deed.verb), one.deed.face)
         if kind in covered and isinstance(one.deed.verb, (Show, *LAST)):
             continue
-        if isinstance(one.deed.verb, LAST) or (isinstance(one.deed.verb, Show) and _holds(one, time)):
+        if isinstance(one.deed.verb, (Show, *LAST)) and _holds(one, time):
             covered.add(kind)
         found.append(one)
     return found[::-1]
 
 
 def _holds(one: Worn, time: float) -> bool:
-    return one.act.released == FOREVER and one.act.settled < time
+    """Whether what it covers is gone for good."""
+    return one.act.released == FOREVER and one.act.settled + QUIETED < time

@@ -147,8 +147,8 @@ class _Attended:
 class Planning:
     """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift.
 
-    Where a scene goes on, what was planned of the time before a moment stays as it is (`pass_to`), and what comes after
-    it is planned by a `fork`: of requests that have begun it only counts when they let go.
+    Where a scene goes on, what was planned of the time before a moment stays as it is (`pass_to`), and what comes later
+    is planned by a `fork`: of requests that have begun it only counts when they let go.
     """
 
     def __init__(self, room: Room, face: Face, start: float, rest: Rest | None = None) -> None:

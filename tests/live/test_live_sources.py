@@ -34,18 +34,11 @@ from facescript.world import World
 SCRIPT = 'when heard "no":\n    nod\nwhen heard "Yes, please.":\n    nod\nwhen key "q":\n    nod\n'
 
 
-LSL = (
-    "[multicast]\nMachineAddresses={127.0.0.1}\nResolveScope=machine\n"
-    "[lab]\nKnownPeers={127.0.0.1}\n[ports]\nIPv6=disable\n"
-)
-
-
 @pytest.fixture
-def loopback_lsl(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def loopback_lsl(monkeypatch: pytest.MonkeyPatch) -> None:
     """LSL that speaks to this machine alone; the library reads its settings once."""
     pytest.importorskip("pylsl")
-    (tmp_path / "lsl.cfg").write_text(LSL)
-    monkeypatch.setenv("LSLAPICFG", str(tmp_path / "lsl.cfg"))
+    monkeypatch.setenv("LSLAPICFG", str(Path(__file__).parents[1] / "streams" / "lsl_api.cfg"))
 
 
 class Listening:

@@ -109,7 +109,8 @@ def test_the_manner_of_an_expression() -> None:
         ("stop", "FS227"),
         ("greet", "FS217"),
         ("greet cup, warmht 40%", "FS308"),
-        ('play "take.csv"', "FS803"),
+        ('play "take.csv"', "FS701"),
+        ("play smile", "FS312"),
     ],
 )
 def test_faults_of_lines(line: str, code: str) -> None:

@@ -9,7 +9,7 @@ from streaming import Told, frame, layout, opened
 
 from facescript.diagnostics.catalogue import diagnose
 from facescript.live.address import AddressFault, Form, parse
-from facescript.live.sinks.registry import KINDS, open_sink
+from facescript.live.sinks.registry import KINDS, Kind, open_sink
 
 FORM = Form("osc://127.0.0.1:9000", path=True, options={"rate": (), "names": ("vrm0", "vrm1")})
 
@@ -90,3 +90,8 @@ async def test_frames_come_at_the_rate_that_is_asked_for() -> None:
         sink.frame(frame(0, of))
         each = sum(sink.counts().values())
     assert packets == 24 * each
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.scheme)
+async def test_a_sink_that_was_never_opened_can_be_closed(kind: Kind) -> None:
+    await open_sink(kind.form.example, Told().setting()).close()

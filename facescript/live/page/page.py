@@ -205,6 +205,11 @@ class Page:
             self._counts.update(sent=guest.sent, dropped=guest.dropped)
             sending.cancel()
 
+    @property
+    def _unwatched(self) -> bool:
+        """Whether no page would draw a frame."""
+        return all(guest.idle for guest in self._guests)
+
     def _known(self) -> Iterator[bytes]:
         """What a page is told when it comes, once there is a figure."""
         if self._figure:

@@ -18,6 +18,7 @@ from facescript.live.page.hair import Trail
 from facescript.performance.channels import INDEX, POSE
 from facescript.performance.performance import REST, Performance
 from facescript.schedule.score import Score
+from facescript.space.layout import BOX, lay_out
 from facescript.stage.ground import PAPER, Backdrop
 from facescript.stage.stage import Moments, Stage, StageFrames
 from facescript.web.messages import numbers
@@ -62,11 +63,12 @@ class Picture:
         self._trails = [Trail() if face.hair != "still" else None for face in self._seen]
         self._step = REACH * max(film.width, film.height) / FURTHEST
         self._rest = self._still(REST)
+        self._box = _box(film, faces)
 
     def figure(self, about: Mapping[str, object]) -> Iterator[bytes]:
         """What a page is told at first: outlines and where points rest, then a message for each pose of `WAITING`."""
         rest = [part.astype("<f4").tobytes() for part in (self._rest.points[0].T, self._rest.opacity[0])]
-        yield numbers("figure", rest, **outlines(self._stage), step=self._step, **about)
+        yield numbers("figure", rest, **outlines(self._stage), step=self._step, box=self._box, **about)
         for name, channels in WAITING.items():
             pose = REST.copy()
             pose[[INDEX[channel] for channel in channels]] = list(channels.values())
@@ -99,6 +101,17 @@ class Picture:
         steps = ((drawn.points - self._rest.points[0]) / self._step).clip(-FURTHEST, FURTHEST).transpose(0, 2, 1)
         parts = steps.reshape(len(steps), -1), drawn.opacity * LEVELS, drawn.turns / TURN
         return [row.tobytes() for row in np.rint(np.concatenate(parts, axis=1)).astype("<i2")]
+
+
+def _box(film: Film, faces: Sequence[Face]) -> tuple[float, float, float, float]:
+    """What of the film has faces in it: left, top, right and bottom of their art boxes, film px."""
+    standings = lay_out(film, faces).standings.values()
+    corners = np.array([each.px(corner) for each in standings for corner in ((0.0, 0.0), (BOX, BOX))])
+    if not len(corners):
+        return 0.0, 0.0, float(film.width), float(film.height)
+    left, top = np.maximum(corners.min(axis=0), 0.0).tolist()
+    right, bottom = np.minimum(corners.max(axis=0), (film.width, film.height)).tolist()
+    return left, top, right, bottom
 
 
 def _nothing(path: str) -> bytes:

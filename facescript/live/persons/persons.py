@@ -115,11 +115,13 @@ class Persons:
             del self._losses[person]
         self.version += bool(lost)
 
-    def forget(self, but: Collection[str]) -> None:
-        """Forget those who are lost, but for the ones named: those who are there, or are looked at."""
-        for person in [name for name in self._targets if name not in self._losses and name not in but]:
+    def forget(self, but: Collection[str]) -> list[str]:
+        """Forget those who are lost, but for the ones named: those who are there, or are looked at. Gives whom."""
+        gone = [name for name in self._targets if name not in self._losses and name not in but]
+        for person in gone:
             del self._targets[person]
             self._estimates.pop(person, None)
+        return gone
 
     def counts(self) -> dict[str, int]:
         """What was not believed, and why."""

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import ceil
+from math import ceil, inf, nextafter
 
 import numpy as np
 
 from facescript.ir.acts import Do, Say
 from facescript.ir.play import Play
 from facescript.live.model import Frame, Happening, Layout, Mark, Sighting, Utterance
+from facescript.live.run.company import Company
 from facescript.live.run.curves import FaceCurves
 from facescript.live.run.telling import Marks, Utterances, of_event
 from facescript.motion.drivers import Floats
-from facescript.motion.perform import FaceMotion, perform
+from facescript.motion.perform import FaceMotion, Memories, perform
 from facescript.schedule.labels import nodes
 from facescript.schedule.onwards import Onwards, Told, nothing
 from facescript.schedule.score import Score
@@ -40,6 +41,8 @@ class Run:
     def __init__(self, play: Play, voice: VoiceBox, fps: float = 60.0, told: Told = nothing) -> None:
         self._fps = fps
         self._onwards = Onwards(play, voice, told)
+        self._company = Company(self._onwards)
+        self._shift = inf
         self._speak(play)
         self._time, self._solved = 0.0, 0.0
         self._waiting: list[Happening] = []
@@ -48,6 +51,7 @@ class Run:
         self.score = self._onwards.solve(STEPS * STEP)
         performance = perform(self.score)
         self._seen = {face.name: face for face in play.faces if face.seen}
+        self._memories: dict[str, Memories] = {name: {} for name in self._seen}
         self._curves = {name: FaceCurves(self._motion(self.score, name)) for name in self._seen}
         self._columns = performance.columns
         self.layout = Layout(
@@ -63,7 +67,7 @@ class Run:
                     self._onwards.voices.speak(node.verb, node.span)
 
     def _motion(self, score: Score, name: str) -> FaceMotion:
-        return FaceMotion(score, self._seen[name])
+        return FaceMotion(score, self._seen[name], self._memories[name])
 
     # ------------------------------------------------------------------------------------------------ what goes in
 
@@ -74,7 +78,8 @@ class Run:
         self._waiting.sort(key=lambda one: one.time)
 
     def see(self, sighting: Sighting) -> None:
-        """Somebody is at a place at a time of the run."""
+        """Somebody is at a place at a time of the run; frames from the next one on know of it."""
+        self._company.see(sighting)
 
     # ------------------------------------------------------------------------------------------------ what comes out
 
@@ -99,16 +104,29 @@ class Run:
 
     def _advance(self, time: float) -> None:
         """Take in all that happens up to a time, each in its turn."""
+        if self._company.pass_to(time):
+            self._solve(nextafter(self._time, inf))
         while True:
             step = (self._solved // STEP + 1.0) * STEP
-            event = self._waiting[0].time if self._waiting else np.inf
-            if min(step, event) > time + CLOSE:
+            event = self._waiting[0].time if self._waiting else inf
+            if min(step, event) > time + CLOSE and self._shift > time and not self._nearest(time):
                 return
-            if event < step:
+            if event <= min(step, self._shift):
                 self._take(self._number(event))
+            elif self._shift < step:
+                self._solve(self._shift)
             else:
                 self._solved = step
+                self._forget(step - STEP)
                 self._solve(step)
+                self._company.forget(self.score)
+
+    def _nearest(self, time: float) -> bool:
+        """Whether another is nearest now, as happens like any event."""
+        event = self._company.nearest(self.score, time)
+        if event is not None:
+            self.hear(event)
+        return event is not None
 
     def _number(self, time: float) -> int:
         """The number of the first frame that shows what happens at a time."""
@@ -118,16 +136,36 @@ class Run:
         """Heed the events that one frame is the first to show, at once."""
         now = [event for event in self._waiting if self._number(event.time) == number]
         self._waiting = self._waiting[len(now) :]
+        for event in now:
+            self._company.hear(event)
         heeded = [self._onwards.heed(event) for event in now]
         self._heeded += (of_event(event) for event, waited in zip(now, heeded, strict=True) if waited)
-        if any(heeded):
+        if any(heeded) or any(event.person for event in now):
             self._solve(now[0].time)
+
+    def _forget(self, time: float) -> None:
+        """What is over by a time is not worked out again."""
+        gone = self._onwards.forget(time)
+        for name, memories in self._memories.items():
+            lines = [line for line in gone.lines if line.face == name]
+            acts = [act for act in gone.acts if act.face == name]
+            over = {(line.start, id(line.spoken)) for line in lines}
+            said = (line for line in self.score.lines if line.face == name)
+            first = min((line.start for line in said if (line.start, id(line.spoken)) not in over), default=np.inf)
+            if gone.scene in memories:
+                memories[gone.scene] = memories[gone.scene].pass_to(time, lines, acts, first)
 
     def _solve(self, time: float) -> None:
         """Go on from a time by what is known now."""
+        self._company.meet()
         self.score = self._onwards.solve((self._solved // STEP + STEPS) * STEP)
         for name, curves in self._curves.items():
             curves.turn(time, self._motion(self.score, name))
+        scenes = {(scene.name, scene.again) for scene in self.score.scenes}
+        for memories in self._memories.values():
+            for key in [key for key in memories if key not in scenes]:
+                del memories[key]
+        self._shift = self._company.next_shift(self.score, time)
         self._block = (0, self._block[1][:0])
 
     # ------------------------------------------------------------------------------------------------ frames

@@ -13,6 +13,7 @@ import numpy as np
 
 from facescript.motion.compose import Asked
 from facescript.motion.drivers import ROWS, Floats
+from facescript.motion.recorded import Turned
 
 FADING = 0.35
 """Seconds that a difference takes to fade at least."""
@@ -24,8 +25,17 @@ head movement of 250 beside it, both stay below what eyes and heads do."""
 PEAK = 1.875
 """The peak speed of a minimum-jerk movement over its mean speed."""
 
-WIDTHS = {"expression": len(ROWS), "gestures": len(ROWS), "life": len(ROWS), "sight": 3, "head": 2, "spoken": 8}
-"""How many values each source asks, in the order of the rows here; `activity` is the last one."""
+WIDTHS = {
+    "expression": len(ROWS),
+    "gestures": len(ROWS),
+    "life": len(ROWS),
+    "sight": 3,
+    "head": 2,
+    "spoken": 8,
+    "taken": 7,
+}
+"""How many values each source asks, in the order of the rows here; `activity` is the last one. What is `taken` are the
+turns of both eyes by recorded faces, and how far these have them."""
 
 TURNING = ("head.yaw", "head.pitch", "head.roll")
 
@@ -34,17 +44,21 @@ def flat(asked: Asked) -> Floats:
     """All that the sources ask, array[value, time]; the eyes' distance as nearness, 1/cm."""
     sight = asked.sight.T.copy()
     sight[2] = 1.0 / sight[2]
-    columns = [asked.expression, asked.gestures, asked.life, sight, asked.head.T, asked.spoken.T, asked.activity[None]]
-    return np.concatenate(columns)
+    taken = np.zeros((7, len(asked.activity)))
+    if asked.turned is not None:
+        taken = np.concatenate([asked.turned.eyes.reshape(-1, 6).T, asked.turned.eye_share[None]])
+    columns = [asked.expression, asked.gestures, asked.life, sight, asked.head.T, asked.spoken.T, taken]
+    return np.concatenate([*columns, asked.activity[None]])
 
 
 def asked_of(values: Floats) -> Asked:
     """What `flat` was made of."""
     edges = np.cumsum(list(WIDTHS.values()))
-    expression, gestures, life, sight, head, spoken, activity = np.split(values, edges)
+    expression, gestures, life, sight, head, spoken, taken, activity = np.split(values, edges)
     angles = sight.T.copy()
     angles[:, 2] = 1.0 / np.maximum(angles[:, 2], 1e-9)
-    return Asked(expression, gestures, life, angles, head.T, spoken.T, np.clip(activity[0], 0.0, 1.0))
+    turned = Turned.of_eyes(taken[:6].T.reshape(-1, 2, 3), np.clip(taken[6], 0.0, 1.0)) if taken.any() else None
+    return Asked(expression, gestures, life, angles, head.T, spoken.T, np.clip(activity[0], 0.0, 1.0), turned)
 
 
 def _speeds() -> Floats:

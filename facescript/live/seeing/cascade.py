@@ -11,11 +11,11 @@ import cv2
 from facescript.live.seeing.faces import Picture, distinct
 from facescript.live.seeing.geometry import FACE, Box
 
-MODEL = "haarcascade_frontalface_default.xml"
-LEAST = 24
+MODEL = "haarcascade_frontalface_alt2.xml"
+LEAST = 20
 """Pixels of the smallest face it knows, at half size."""
 
-STEP, NEIGHBOURS = 1.15, 5
+STEP, NEIGHBOURS = 1.15, 3
 """Each size that is tried is so many times the one before; so many windows beside each other must agree."""
 
 AROUND, SMALLER, LARGER = 1.9, 0.75, 1.35
@@ -38,7 +38,7 @@ class Cascade:
     def faces(self, picture: Picture, near: Sequence[Box] | None = None) -> list[Box]:
         """The frames of the faces, pixels of the whole picture; with `near` only around these frames."""
         half = cv2.resize(picture, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
-        grey = cv2.equalizeHist(cv2.cvtColor(half, cv2.COLOR_BGR2GRAY))
+        grey = cv2.cvtColor(half, cv2.COLOR_BGR2GRAY)
         if near is None:
             return distinct(self._found(grey, 0, 0, LEAST, min(grey.shape)))
         return distinct(box for expected in near for box in self._around(grey, expected))

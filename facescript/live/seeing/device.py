@@ -33,7 +33,7 @@ class Device(Protocol):
 
 def camera(number: int, size: tuple[int, int]) -> Device:
     """The camera of a number, asked for pictures of a size."""
-    cv2.setLogLevel(0)  # what there is to say of a camera that is not there, we say
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)  # that a camera is not there, we say ourselves
     device = cv2.VideoCapture(number)
     device.set(cv2.CAP_PROP_FRAME_WIDTH, size[0])
     device.set(cv2.CAP_PROP_FRAME_HEIGHT, size[1])

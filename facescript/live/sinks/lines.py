@@ -20,11 +20,11 @@ class LinesSink(Counting):
     def __init__(self, address: Address, setting: Setting) -> None:
         super().__init__(address.rate)
         self._patient = setting.patient
+        self._writer: Writer | None = None
 
     async def open(self, layout: Layout) -> None:
         sys.stdout.flush()
-        self._file = os.fdopen(os.dup(sys.stdout.fileno()), "wb", buffering=0)
-        self._writer = Writer(self._file, self._patient)
+        self._writer = Writer(os.fdopen(os.dup(sys.stdout.fileno()), "wb", buffering=0), self._patient)
         self._named = Named(layout.names)
         self._put(layout_text(layout))
 
@@ -39,13 +39,12 @@ class LinesSink(Counting):
         self._put(utterance_text(utterance))
 
     async def close(self) -> None:
-        left = self._writer.close()
+        left = 0 if self._writer is None else self._writer.close()
         self._counts["sent"] -= left
         self._counts["dropped"] += left
-        if left == 0:
-            self._file.close()
 
     def _put(self, line: str) -> None:
+        assert self._writer is not None
         if isinstance(self._writer.failed, BrokenPipeError):
             raise self._writer.failed
         self._counts["sent" if self._writer.put(line) else "dropped"] += 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from typing import Any
 
 import numpy as np
 import pylsl
@@ -21,6 +22,8 @@ class LslSink(Counting):
         super().__init__(address.rate)
         self._name = address.path
         self._offset: float | None = None
+        self._channels: Any = None
+        self._markers: Any = None
         self._waiting: list[Mark] = []
         self._counts["markers"] = 0
 
@@ -56,7 +59,7 @@ class LslSink(Counting):
             self._push(mark, self._offset)
 
     async def close(self) -> None:
-        del self._channels, self._markers
+        self._channels = self._markers = None
 
     def _push(self, mark: Mark, offset: float) -> None:
         self._markers.push_sample([mark.label or f"{mark.kind}: {mark.text}"], offset + mark.time)

@@ -24,7 +24,7 @@ UNSENT = 20
 QUEUED = 200
 """Marks and lines that wait while the broker is away."""
 
-TOPIC = "facescript"
+TOPIC = "face"
 
 
 class MqttSink(Counting):
@@ -37,10 +37,11 @@ class MqttSink(Counting):
         self._topic = address.path or TOPIC
         self._unsent: deque[mqtt.MQTTMessageInfo] = deque()
         self._told = False
+        self._client = mqtt.Client(CallbackAPIVersion.VERSION2)
 
     async def open(self, layout: Layout) -> None:
         self._layout, self._named = layout_text(layout), Named(layout.names)
-        client = self._client = mqtt.Client(CallbackAPIVersion.VERSION2)
+        client = self._client
         client.on_connect, client.on_connect_fail = self._arrived, self._missed
         client.reconnect_delay_set(1, int(LONGEST_PAUSE))
         client.max_queued_messages_set(QUEUED)

@@ -23,14 +23,15 @@ class TableSink(Counting):
         self._held: list[Frame] = []
         self._marks: list[tuple[float, str]] = []
         self._told = False
+        self._writer: Writer | None = None
 
     async def open(self, layout: Layout) -> None:
         try:
-            self._file = Path(self._address.path).open("wb", buffering=0)  # noqa: SIM115 - `close` closes it
+            file = Path(self._address.path).open("wb", buffering=0)  # noqa: SIM115 - the writer closes it
         except OSError as fault:
             reason = (fault.strerror or "it cannot be made").lower()
             raise AddressFault("FS903", path=self._address.path, reason=reason) from None
-        self._writer = Writer(self._file, self._setting.patient)
+        self._writer = Writer(file, self._setting.patient)
         self._put(",".join(["time", *layout.names, "marker"]))
 
     def frame(self, frame: Frame) -> None:
@@ -47,11 +48,9 @@ class TableSink(Counting):
     async def close(self) -> None:
         while self._held:
             self._row()
-        left = self._writer.close()
+        left = 0 if self._writer is None else self._writer.close()
         self._counts["sent"] -= left
         self._counts["dropped"] += left
-        if left == 0:
-            self._file.close()
 
     def _row(self) -> None:
         """Writes the first row that is held, with what begins before the next."""
@@ -64,6 +63,7 @@ class TableSink(Counting):
         self._put(f"{number(frame.time)},{values},{cell(' '.join(inside))}")
 
     def _put(self, row: str) -> None:
+        assert self._writer is not None
         self._counts["sent" if self._writer.put(row) else "dropped"] += 1
         if self._writer.failed is not None and not self._told:
             self._told = True

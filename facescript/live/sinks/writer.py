@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import io
 import threading
+from typing import IO
 
 MOST = 8 << 20
 """Bytes that wait to be written, at most."""
@@ -16,7 +16,7 @@ class Writer:
     """Writes whole lines as soon as the file takes them. `patient`: a full queue is waited for; else its lines are
     refused. `failed` is what the file said when it took no more."""
 
-    def __init__(self, file: io.RawIOBase, patient: bool) -> None:
+    def __init__(self, file: IO[bytes], patient: bool) -> None:
         self._file, self._patient = file, patient
         self._lines: list[bytes] = []
         self._size, self._ended = 0, False
@@ -39,11 +39,13 @@ class Writer:
         return True
 
     def close(self) -> int:
-        """Writes what is left; returns how many lines could not be written in time."""
+        """Writes what is left and closes the file; returns how many lines could not be written in time."""
         with self._change:
             self._ended = True
             self._change.notify_all()
         self._thread.join(None if self._patient else PATIENCE)
+        if not self._thread.is_alive():
+            self._file.close()
         with self._change:
             return len(self._lines)
 

@@ -74,6 +74,7 @@ class WebSocketSink(Counting):
         self._callers = Callers(setting.token)
         self._clients: set[Client] = set()
         self._newest: Frame | None = None
+        self._server: Server | None = None
         self._counts.update(clients=0, refused=0)
 
     async def open(self, layout: Layout) -> None:
@@ -109,8 +110,9 @@ class WebSocketSink(Counting):
         self._tell(utterance_text(utterance))
 
     async def close(self) -> None:
-        self._server.close(code=1001)
-        await self._server.wait_closed()
+        if self._server is not None:
+            self._server.close(code=1001)
+            await self._server.wait_closed()
 
     def _tell(self, text: str) -> None:
         """Sends to all what is not said twice; who is too far behind for it is sent away."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from threading import Event, Thread
 
@@ -101,11 +102,9 @@ class CameraSource:
         while not stop.is_set():
             taken = self._newest.take(BLIND)
             if taken is None:
-                told = self._watcher.blind(self._grabber.now() - self._grabber.delay)
+                tell(teller, self._watcher.blind(self._grabber.now() - self._grabber.delay))
             else:
-                told = self._watcher.look(*taken)
-            for item in told:
-                tell(teller, item)
+                tell(teller, self._watcher.look(*taken))
 
 
 class VideoSource:
@@ -132,11 +131,9 @@ class VideoSource:
             if self._clock.now() - time > LATE:
                 self._passed += 1
                 continue
-            for item in self._watcher.look(picture, time):
-                tell(teller, item)
+            tell(teller, self._watcher.look(picture, time))
         self._wait(time + LEAVES + BLIND, stop)
-        for item in self._watcher.blind(time + LEAVES + BLIND):
-            tell(teller, item)
+        tell(teller, self._watcher.blind(time + LEAVES + BLIND))
         stop.wait()
 
     def _wait(self, time: float, stop: Event) -> bool:
@@ -147,8 +144,9 @@ class VideoSource:
         return not stop.is_set()
 
 
-def tell(teller: Teller, item: Sighting | Happening) -> None:
-    if isinstance(item, Sighting):
-        teller.sighting(item)
-    else:
-        teller.event(item)
+def tell(teller: Teller, items: Iterable[Sighting | Happening]) -> None:
+    for item in items:
+        if isinstance(item, Sighting):
+            teller.sighting(item)
+        else:
+            teller.event(item)

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import time
 from collections import Counter
 from collections.abc import Callable
 
+from facescript.live.gate import Bucket
 from facescript.live.messages import Nonsense, read
 from facescript.live.model import Happening, Teller, Told
+
+PACE = 1000.0
+"""Messages a second of a source that are read, and as many at once; all above are counted alone."""
 
 
 class Intake:
@@ -14,6 +19,7 @@ class Intake:
 
     def __init__(self) -> None:
         self._counts: Counter[str] = Counter(messages=0, malformed=0)
+        self._pace = Bucket(PACE)
 
     def take(self, teller: Teller, data: str | bytes) -> str | None:
         """A message in any form; why it is refused, where it is."""
@@ -22,6 +28,9 @@ class Intake:
     def told(self, teller: Teller, read: Callable[[], tuple[Told, ...]]) -> str | None:
         """What `read` finds in a message, or its `Nonsense`; why it is refused, where it is."""
         self._counts["messages"] += 1
+        if not self._pace.takes(time.monotonic()):
+            self._counts["passed over"] += 1
+            return None
         try:
             items = read()
         except Nonsense as fault:

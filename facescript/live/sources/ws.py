@@ -49,6 +49,7 @@ class WebSocket:
                 why = self._intake.take(teller, message)
                 if why is not None:
                     await connection.send(json.dumps({"refused": why}))
+                await asyncio.sleep(0)  # messages that are there already are read without a pause
 
     def counts(self) -> dict[str, int]:
         return self._intake.counts()

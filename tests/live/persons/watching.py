@@ -1,27 +1,34 @@
-"""A camera that is made up, late and trembling, and a face that looks at whom it sees, frame by frame, as a run does."""
+"""A made-up camera, late and trembling, and a face that looks at whom it sees, frame by frame, as in a run."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import atan2, degrees
+from pathlib import Path
 
 import numpy as np
 from gazing import face, film, request, score
 from numpy.typing import NDArray
+from scripted import Letters
 
+from facescript.compile import compile_source
 from facescript.ir.values import AtCamera, AtTarget, Point
-from facescript.live.model import Sighting
+from facescript.live.model import Happening, Sighting
 from facescript.live.persons.ahead import next_shift
 from facescript.live.persons.persons import Persons
+from facescript.live.run.run import Run
 from facescript.motion.gaze.track import GazeTrack, eyes, midline
 from facescript.space.planner import GazeRequest
 from facescript.space.room import Room
+from facescript.text import Source
+from facescript.world import World
 
 Floats = NDArray[np.float64]
 
+People = dict[str, "Truth"]
 Truth = Callable[[float], tuple[float, float] | None]
-"""Where a person is at a time: cm to the viewer's right of the face, and from the screen; None while nobody sees her."""
+"""Where a person is at a time: cm to the viewer's right of the face, and from the screen; None while she is unseen."""
 
 EYES = Room(film(), [face()], []).point("ada", AtCamera(), 0.0).y
 FPS = 60.0
@@ -121,6 +128,29 @@ def looked(track: GazeTrack, times: Floats) -> Floats:
     head = np.concatenate([track.head(times), np.zeros((len(times), 1))], axis=1)
     points = midline(eyes(track.sight(times), head), head)
     return np.stack([times, points[:, 0], points[:, 1], head[:, 0]], axis=1)
+
+
+class Live:
+    """A run of a script, and what comes to it by when."""
+
+    def __init__(
+        self, text: str, told: Sequence[tuple[float, Sighting]], events: Sequence[Happening], fps: float = FPS
+    ) -> None:
+        compiled = compile_source(Source("made.face", text), World(Path(__file__).parent), Letters())
+        assert compiled.play is not None, [item.message for item in compiled.diagnostics]
+        self.run, self.fps = Run(compiled.play, Letters(), fps), fps
+        self.waiting = sorted([*told, *((event.time, event) for event in events)], key=lambda one: -one[0])
+
+    def frames(self, seconds: float) -> Iterator[Floats]:
+        for number in range(int(seconds * self.fps)):
+            while self.waiting and self.waiting[-1][0] <= number / self.fps:
+                _, what = self.waiting.pop()
+                self.run.see(what) if isinstance(what, Sighting) else self.run.hear(what)
+            yield self.run.frame(number).values
+
+    def watch(self, seconds: float) -> dict[str, Floats]:
+        values = np.array(list(self.frames(seconds))).T
+        return {"time": np.arange(values.shape[1]) / self.fps, **dict(zip(self.run.layout.names, values, strict=True))}
 
 
 def true_yaw(truth: Truth, times: Floats) -> Floats:

@@ -16,7 +16,7 @@ from facescript.canvas.painter import Painter
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.values import Point
 from facescript.live.seeing.faces import Picture
-from facescript.live.seeing.geometry import EYES, Camera
+from facescript.live.seeing.geometry import Camera
 from facescript.performance.performance import REST
 from facescript.resolve.resolver import resolve
 from facescript.rig.rigs import rig as rig_of
@@ -29,8 +29,8 @@ WIDE, HIGH, FPS = 640, 480, 30
 APART, EYE_X, EYE_Y = 0.165, 0.499, 0.44
 """Of a drawn woman, as parts of the picture's side: from pupil to pupil, and the place between them."""
 
-SIDE = EYES / APART
-"""cm that the side of her picture stands for."""
+SIDE = 6.3 / APART
+"""cm that the side of her picture stands for: her pupils are 6.3 apart."""
 
 Colours = NDArray[np.float32]
 

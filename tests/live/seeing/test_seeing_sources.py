@@ -111,6 +111,13 @@ async def test_a_camera_that_goes_away_is_tried_again(walk: Path, monkeypatch: p
     assert counts["went away"] == 2 and counts["not there"] >= 1 and counts["passed over"] > 0
 
 
+async def test_a_camera_that_is_not_there_is_no_fault(tmp_path: Path) -> None:
+    clock = WallClock()
+    source, heard = open_source("camera:63?by=cascade", setting(tmp_path, clock)), Heard(clock)
+    await hear(source, heard, lambda: source.counts().get("not there", 0) > 0)
+    assert heard.items == []
+
+
 @pytest.mark.parametrize(
     ("address", "code", "reason"),
     [

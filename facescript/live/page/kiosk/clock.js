@@ -2,20 +2,21 @@
 // last seconds say by how much the run's clock is ahead of the page's.
 
 const KEPT = 12, EACH = 500;  // spans that are kept, and ms of each
-const PACE = 0.004;  // seconds by which what is shown comes nearer to what it should be, in each second
+const PACE = 0.02;  // seconds by which what is shown comes nearer to what it should be, in each second
 const TOO_FAR = 0.25;  // seconds: what is off by more is set at once
 const BUFFER = 2.5;  // frames that are held back, so that one that comes late is there when it is drawn
+const SPARE = 0.1, EASED = 0.9;  // seconds that are waited for lines that come late, at most; what is left with each that does not
 const LONGEST = 0.25;  // seconds that a picture waits for its sound to come out of the machine, at most
 
 export function clock() {
-  let spans = [], since = 0, frame = 1 / 60, late = 0, shift = null;  // `shift`: of the run's time that is shown
+  let spans = [], since = 0, frame = 1 / 60, sounding = 0, spare = 0, shift = null;  // `shift`: of the run's time that is shown
 
   // A frame of a time of the run has come.
   function came(time) {
     const now = performance.now(), found = time - now / 1000, last = spans[spans.length - 1];
     if (last && now - last.from < EACH) last.ahead = Math.max(last.ahead, found);
     else spans = [...spans.slice(1 - KEPT), { from: now, ahead: found }];
-    const wanted = Math.max(...spans.map((span) => span.ahead)) - BUFFER * frame - late;
+    const wanted = Math.max(...spans.map((span) => span.ahead)) - BUFFER * frame - sounding - spare;
     const off = wanted - shift, most = PACE * (now - since) / 1000;
     if (shift === null || spans.length < 2 || Math.abs(off) > TOO_FAR) shift = wanted;
     else shift += Math.sign(off) * Math.min(Math.abs(off), most);
@@ -27,7 +28,9 @@ export function clock() {
     // Begins anew: a run of so many frames a second.
     begin(fps) { spans = [], shift = null, frame = 1 / fps; },
     // The picture waits until the sound of the same time is heard, so many seconds after it is played.
-    wait(seconds) { late = Math.min(seconds, LONGEST); },
+    wait(seconds) { sounding = Math.min(seconds, LONGEST); },
+    // A line came so many seconds too late to be heard from its start with its mouth: the next shall not.
+    late(seconds) { spare = seconds > 0 ? Math.min(spare + seconds, SPARE) : spare * EASED; },
     get ready() { return shift !== null; },
     // The time of the run that is shown now.
     now() { return performance.now() / 1000 + shift; },

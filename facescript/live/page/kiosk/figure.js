@@ -12,7 +12,8 @@ const LEVEL = 1 / 255;
 // The picture in `place`, told by `link`. `draw(time)` draws it at a time of the run and gives the number of the newest
 // frame that is not before it.
 export function figure(link, place) {
-  let made = null, next = null, picture = null, frames = [], dx = 0, dy = 0, waits = 0, last = 0, time = 0, shown = null;
+  let made = null, next = null, picture = null, frames = [], dx = 0, dy = 0, hung = null,
+    waits = 0, last = 0, time = 0, shown = null;
 
   // What comes is of the next film, which takes the place of the one that is shown with its first frame.
   link.on("figure", (message) => {
@@ -37,24 +38,34 @@ export function figure(link, place) {
     };
   }
 
-  // The film lies in the middle of the place, on its lower edge, and as large as it fits; what is beyond it shows too.
+  // The film fills the place, but for what would cut into where faces are: then more is seen than the film has, and
+  // busts that go down to its edge go down to that of the place.
   function fit() {
     if (!made || !place.clientHeight) return;
-    const [wide, high] = made.film.size, ratio = place.clientWidth / place.clientHeight;
-    const size = [Math.max(wide, high * ratio), Math.max(high, wide / ratio)];
-    dx = (size[0] - wide) / 2, dy = size[1] - high;
+    const { film, rest } = made, [wide, high] = film.size, [left, top, right, bottom] = film.box;
+    const [across, down] = [place.clientWidth, place.clientHeight];
+    const scale = Math.min(Math.max(across / wide, down / high), across / (right - left), down / (bottom - top));
+    const size = [across / scale, down / scale];
+    [dx, dy] = [shift(size[0], wide, (left + right) / 2), shift(size[1], high, (top + bottom) / 2)];
+    const half = rest.length / 2, longer = Math.max(0, size[1] - dy - high);
+    hung = Float32Array.from(rest, (value, at) => at >= half && value > high - 1 ? longer : 0);
     if (picture) picture.remove();
-    picture = drawing({ ...made.film, size }, place, () => { shown = null; });
+    picture = drawing({ ...film, size }, place, () => { shown = null; });
     picture.fitted();
     shown = null;
   }
+
+  // Where the film begins in a place that is longer or shorter than it: in its middle, or so that `middle` is there.
+  const shift = (whole, film, middle) =>
+    whole >= film ? (whole - film) / 2 : Math.min(Math.max(whole / 2 - middle, whole - film), 0);
 
   const mix = (one, two, share) => one + (two - one) * share;
 
   // Puts the picture between two frames.
   function between(before, after, share) {
     const { points, opacity, turns, view } = picture, { rest, film: { step } } = made;
-    for (let at = 0; at < rest.length; at++) points[at] = rest[at] + step * mix(before.steps[at], after.steps[at], share);
+    for (let at = 0; at < rest.length; at++)
+      points[at] = rest[at] + hung[at] + step * mix(before.steps[at], after.steps[at], share);
     for (let at = 0; at < opacity.length; at++) {
       opacity[at] = LEVEL * mix(before.opacity[at], after.opacity[at], share);
       turns[at] = TURN * mix(before.turns[at], after.turns[at], share);
@@ -74,7 +85,7 @@ export function figure(link, place) {
     for (let at = 0; at < rest.length; at++) {
       let steps = 0;
       for (const [pose, weight] of parts) steps += weight * pose.steps[at];
-      points[at] = mix(points[at], rest[at] + step * steps, share);
+      points[at] = mix(points[at], rest[at] + hung[at] + step * steps, share);
     }
     for (let at = 0; at < opacity.length; at++) {
       let level = clear[at], turn = 0;

@@ -3,7 +3,7 @@
 const FADE = 0.02;  // seconds in which a line that is cut dies away, up to the cut
 const RISE = 0.004;  // seconds in which one that begins in its midst rises
 const KEPT = 64;  // lines that are held
-const LATEST = 0.005;  // seconds after which a line that comes too late is begun in its midst
+const LATEST = 0.035;  // seconds that a mouth may be ahead of its sound: what comes later is begun in its midst
 
 // The sound of what `link` tells, at the times of `time`; `changed` is called when it can be heard or cannot any more.
 export function voice(link, time, changed) {
@@ -44,16 +44,17 @@ export function voice(link, time, changed) {
   }
 
   function begin(line) {
-    const at = played(time.when(line.start)), late = Math.max(0, context.currentTime - at);
+    const at = played(time.when(line.start)), from = Math.max(at, context.currentTime);
+    const late = from - at, into = Math.max(0, late - LATEST);
     const source = context.createBufferSource(), gain = context.createGain();
-    line.sounds = { source, gain, at };
-    if (late >= line.buffer.duration) return;
+    Object.assign(line, { sounds: { source, gain }, late, heard: performance.now() + 1000 * (from - played(performance.now())) });
+    time.late(late);
+    if (into >= line.buffer.duration) return;
     source.buffer = line.buffer;
     source.connect(gain).connect(context.destination);
-    gain.gain.value = line.volume;
-    if (late > LATEST) gain.gain.setValueAtTime(0, at + late), gain.gain.linearRampToValueAtTime(line.volume, at + late + RISE);
-    source.start(Math.max(at, context.currentTime), late > LATEST ? late : 0);
-    Object.assign(line, { heard: performance.now() + 1000 * (Math.max(at, context.currentTime) - played(performance.now())), late });
+    gain.gain.setValueAtTime(into ? 0 : line.volume, from);
+    gain.gain.linearRampToValueAtTime(line.volume, from + RISE);
+    source.start(from, into);
     if (line.cut !== null) cut(line, line.cut);
   }
 
