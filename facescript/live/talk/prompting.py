@@ -20,7 +20,7 @@ NOWHERE = Span(Source("told", ""), 0, 0)
 
 
 class Prompting:
-    """Tells a run what it was told. All that a face is told to say is as one reaction, which the next starts afresh: the
+    """Tells a run what it was told. All that a face is told to say is as one reaction, which the next starts afresh: a
     line that sounds breaks off at the end of its word and is not said again. What does not speak stands alone."""
 
     def __init__(self, prompter: Callable[[], Prompter], faces: tuple[str, ...]) -> None:
