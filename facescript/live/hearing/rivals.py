@@ -30,7 +30,7 @@ def read_dictionary(path: Path) -> dict[str, list[Sounds]]:
 
 
 class Rivals:
-    """The words of a dictionary by how they begin and end: of two that differ in one sound, one of these is the same."""
+    """The words of a dictionary by how they begin and end: two that differ in one sound do one of both alike."""
 
     def __init__(self, dictionary: Dictionary, often: Callable[[str], float]) -> None:
         self._often = often
@@ -42,7 +42,7 @@ class Rivals:
                 self._last.setdefault(sounds[-1], []).append((word, sounds))
 
     def of(self, ways: Iterable[Sounds], most: int) -> list[str]:
-        """The words that differ in one sound from a word that is said in these ways, those that are said often first."""
+        """The words that differ in one sound from a word that is said in these ways, frequent ones first."""
         mine = frozenset(ways)
         near = {
             word: None
