@@ -28,6 +28,9 @@ LATELY = 4.0
 BLOCK = 6
 """So many frames are worked out at once: numpy takes for one nearly as long as for six."""
 
+CERTAIN = 0.1
+"""But not more than so many seconds ahead: further on it hangs on what is still to be seen how somebody is followed."""
+
 CLOSE = 1e-9
 """Seconds within which an event is at a frame's time."""
 
@@ -82,6 +85,10 @@ class Run:
     def see(self, sighting: Sighting) -> None:
         """Somebody is at a place at a time of the run; frames from the next one on know of it."""
         self._company.see(sighting)
+
+    def doubts(self) -> dict[str, int]:
+        """The sightings that were not believed, and why."""
+        return self._company.doubts()
 
     # ------------------------------------------------------------------------------------------------ what comes out
 
@@ -182,7 +189,8 @@ class Run:
 
     def _sample(self, number: int) -> Floats:
         """The frames from one to the end of its block."""
-        last = (number // BLOCK + 1) * BLOCK
+        block = max(1, min(BLOCK, int(CERTAIN * self._fps)))
+        last = (number // block + 1) * block
         times = np.arange(number, last) / self._fps
         return np.concatenate(
             [curves.sample(times)[:, self._columns[name]] for name, curves in self._curves.items()], 1
