@@ -38,7 +38,7 @@ from facescript.space.room import Room
 from facescript.speech.model import VoiceBox
 from facescript.text import Span
 
-STATEMENTS = 200_000
+STATEMENTS = 20_000
 """Statements that one solution may come to."""
 
 ROUNDS = 60

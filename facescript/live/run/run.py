@@ -16,6 +16,7 @@ from facescript.motion.drivers import Floats
 from facescript.motion.perform import FaceMotion, Memories, perform
 from facescript.schedule.onwards import Onwards, Told, lines_of, nothing
 from facescript.schedule.score import Score
+from facescript.schedule.steps import TooMany
 from facescript.speech.model import VoiceBox
 
 STEP, STEPS = 2.0, 3
@@ -49,7 +50,7 @@ class Run:
         self._company = Company(self._onwards)
         self._shift = inf
         self._speak(play)
-        self._time, self._solved = 0.0, 0.0
+        self._time, self._solved, self._missed = 0.0, 0.0, 0
         self._waiting: list[Happening] = []
         self._heeded: list[Mark] = []
         self._marks, self._utterances = Marks(), Utterances()
@@ -88,7 +89,8 @@ class Run:
 
     def doubts(self) -> dict[str, int]:
         """The sightings that were not believed, and why."""
-        return self._company.doubts()
+        missed = {"moments of more statements than can be solved": self._missed} if self._missed else {}
+        return {**self._company.doubts(), **missed}
 
     # ------------------------------------------------------------------------------------------------ what comes out
 
@@ -167,7 +169,11 @@ class Run:
     def _solve(self, time: float) -> None:
         """Go on from a time by what is known now."""
         self._company.meet()
-        self.score = self._onwards.solve((self._solved // STEP + STEPS) * STEP)
+        try:
+            self.score = self._onwards.solve((self._solved // STEP + STEPS) * STEP)
+        except TooMany:
+            self._missed += 1
+            return
         for name, curves in self._curves.items():
             curves.turn(time, self._motion(self.score, name))
         scenes = {(scene.name, scene.again) for scene in self.score.scenes}
