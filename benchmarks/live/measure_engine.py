@@ -85,7 +85,7 @@ def _costs() -> Iterator[Row]:
         at = number / FPS
         event = number % 60 == 23
         if event:
-            run.hear(Happening(EVENTS[0][0], at, "start") if number < 600 else _any(chance, at))
+            run.hear(_any(chance, at))
         run.frame(number)
         if number >= 600:
             (heard if event else frames).append((time.process_time() - begun) * 1000.0)
@@ -104,7 +104,7 @@ def _any(chance: Random, at: float) -> Happening:
 
 
 def _hour() -> Iterator[Row]:
-    """An hour with an event a second: six frames a second, and in one second of ten all of them."""
+    """An hour with an event a second: three frames a second, and in one second of thirty all of them."""
     run, chance = kiosk(), Random(3)
     minutes: list[float] = []
     sizes: list[float] = []
@@ -113,7 +113,7 @@ def _hour() -> Iterator[Row]:
     drift, before, begun = 0.0, run.frame(0), time.process_time()
     for second in range(HOUR):
         run.hear(_any(chance, second + chance.random()))
-        for number in range(second * 60 + 1, second * 60 + 61, 1 if second % 10 == 0 else 10):
+        for number in range(second * 60 + 1, second * 60 + 61, 1 if second % 30 == 0 else 20):
             frame = run.frame(number)
             drift = max(drift, abs(frame.time - number / FPS))
             for names, which in columns.items() if frame.number == before.number + 1 else ():

@@ -41,7 +41,7 @@ class Forgetting:
         elif isinstance(step.node, Repeat):
             self._passes(step, awaited)
         elif isinstance(step.node, Do) and isinstance(step.node.verb, Say):
-            self._line(step, awaited)
+            self._line(step, step.node.verb, awaited)
         else:
             for child in step.children or ():
                 self._step(child, awaited)
@@ -89,7 +89,7 @@ class Forgetting:
         line = ends_in_line(moved[-1]) if moved else before.line
         self.past.begun[step.key()] = Begun(first, max(done, before.done), line)
 
-    def _line(self, step: Step, awaited: frozenset[str]) -> None:
+    def _line(self, step: Step, say: Say, awaited: frozenset[str]) -> None:
         """A line goes on with the saying that has begun last."""
         begun = [start for start, _ in step.sayings if start < self.time]
         cues = step.children or []
@@ -99,8 +99,7 @@ class Forgetting:
             first = before.first + len(begun) - 1
             if first:
                 self.past.begun[step.key()] = Begun(first)
-            say = step.node.verb  # type: ignore[union-attr]
-            cues = [cue for cue in cues if cue.index >= first * len(say.cues)]  # type: ignore[union-attr]
+            cues = [cue for cue in cues if cue.index >= first * len(say.cues)]
         for cue in cues:
             self._step(cue, awaited)
 
