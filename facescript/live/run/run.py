@@ -127,7 +127,7 @@ class Run:
             else:
                 self._solved = step
                 self._forget(step - LATELY)
-                self._solve(step)
+                self._solve(min(step, self._number(step) / self._fps))
                 self._company.forget(self.score)
 
     def _nearest(self, time: float) -> bool:
@@ -150,7 +150,7 @@ class Run:
         heeded = [self._onwards.heed(event) for event in now]
         self._heeded += (of_event(event) for event, waited in zip(now, heeded, strict=True) if waited)
         if any(heeded) or any(event.person for event in now):
-            self._solve(now[0].time)
+            self._solve(min(now[0].time, number / self._fps))
 
     def _forget(self, time: float) -> None:
         """What is over by a time is not worked out again."""
