@@ -37,8 +37,8 @@ SCRIPT = "film 640x480, 40cm wide\nwhen person arrives as guest:\n    look at gu
 
 
 class FilmClock(WallClock):
-    """Goes at half the speed of this machine's while the film plays, so that one which has much to do keeps up, and fast
-    thereafter."""
+    """Goes at half the speed of this machine's while the film plays, so that one which has much to do keeps up, and
+    fast thereafter."""
 
     def now(self) -> float:
         return min(0.5 * super().now(), SECONDS) + max(0.0, super().now() - 2 * SECONDS) * 8
