@@ -21,6 +21,9 @@ FORMS = "mov,mp4,matroska,webm,avi"
 LARGEST = 4 << 30
 """Bytes of a video."""
 
+LEAST = 40
+"""Pixels of a picture's shorter side."""
+
 BLUE_FIRST = "format=rgb24,colorchannelmixer=rr=0:rb=1:br=1:bb=0"
 """Red and blue change places, in ffmpeg's words: that costs this program nothing."""
 
@@ -44,6 +47,8 @@ def pictures(path: Path, size: tuple[int, int]) -> Generator[Picture, None, None
         picture = _picture(process.stdout)
         if picture is None:
             raise ValueError("there is no picture in it that can be read (MP4, MOV, MKV, WebM or AVI)")
+        if min(picture.shape[:2]) < LEAST:
+            raise ValueError(f"its pictures are smaller than {LEAST} pixels")
         while picture is not None:
             yield picture
             picture = _picture(process.stdout)

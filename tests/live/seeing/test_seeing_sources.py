@@ -111,6 +111,12 @@ def test_pictures_of_a_video_have_blue_first_and_are_no_larger_than_asked_for(tm
     assert np.abs(found[0].mean(axis=(0, 1)) - (20, 40, 200)).max() < 12
 
 
+def test_pictures_in_which_there_is_no_room_for_a_face_are_refused(tmp_path: Path) -> None:
+    film(tmp_path / "wide.mp4", [np.zeros((2, WIDE, 3), dtype=np.uint8)] * 6)
+    with pytest.raises(ValueError, match="smaller than 40 pixels"):
+        list(pictures(tmp_path / "wide.mp4", (640, 480)))
+
+
 async def test_a_camera_that_goes_away_is_tried_again(walk: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Here a camera that gives a second of pictures, then nothing, is not there, and then comes back."""
     monkeypatch.setattr("facescript.live.seeing.device.AGAIN", 0.05)
