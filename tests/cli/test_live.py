@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from urllib.request import urlopen
 
 import pytest
 
@@ -187,26 +188,21 @@ def test_a_scene_that_only_an_event_brings_is_no_fault(capsys: Captured) -> None
     assert "FS4" not in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_it_ends_in_order(number: signal.Signals) -> None:
-    command = [
-        sys.executable,
-        "-m",
-        "facescript.cli.main",
-        "live",
-        "kiosk.face",
-        "--from",
-        "stdin:",
-        "--log",
-        "run.log",
-    ]
+def test_it_ends_in_order() -> None:
+    words = ["live", "kiosk.face", "--from", "stdin:", "--from", "http://127.0.0.1:0", "--log", "run.log"]
+    command = [sys.executable, "-m", "facescript.cli.main", *words]
     pipe = subprocess.PIPE
     process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, env=dict(os.environ))
     try:
-        assert process.stdout is not None
+        assert process.stdout is not None and process.stderr is not None
+        place = re.search(rb"http://[\d.:]+\d", process.stderr.readline())
         for _ in range(5):
             assert json.loads(process.stdout.readline())
-        process.send_signal(number)
+        assert place is not None
+        with urlopen(f"{place[0].decode()}/status", timeout=5) as answer:
+            status = json.load(answer)
+        assert status["frames"] > 0 and status["to"]["-"]["sent"] > 0 and set(status["from"]) == {words[3], words[5]}
+        process.send_signal(signal.SIGTERM)
         out, said = process.communicate(timeout=20)
         assert process.returncode == 0
         assert b" frames in " in said and b"Traceback" not in said
