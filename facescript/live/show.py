@@ -21,17 +21,25 @@ SWITCHED = 0.001
 
 
 class Show:
-    """What runs: a loop, the sinks it gives to, and the `sources` that tell its gate, by their addresses."""
+    """What runs: a loop, the sinks it gives to, and the `sources` that tell its gate, by their addresses. `doubts` are
+    the sightings that were not believed, and why."""
 
-    def __init__(self, loop: Loop, gate: Gate, sinks: Mapping[str, Sink], ports: Ports) -> None:
-        self._loop, self._gate, self._sinks, self._ports = loop, gate, sinks, ports
+    def __init__(
+        self,
+        loop: Loop,
+        gate: Gate,
+        sinks: Mapping[str, Sink],
+        ports: Ports,
+        doubts: Callable[[], Mapping[str, int]] = dict,
+    ) -> None:
+        self._loop, self._gate, self._sinks, self._ports, self._doubts = loop, gate, sinks, ports, doubts
         self.sources: Mapping[str, Source] = {}
 
     async def run(self, seconds: float = inf, tell: Callable[[str], None] = print) -> None:
         """Until its time is over, or the process is told to end. Raises `AddressFault`."""
         try:
             for place in await self._ports.open():
-                tell(f"Events are taken at {place}.")
+                tell(f"The run listens at {place}.")
             await self._opened()
             await self._play(seconds)
         finally:
@@ -80,6 +88,7 @@ class Show:
             "late": tally.late,
             "dropped": tally.dropped,
             "events": self._gate.counts(),
+            "persons": dict(self._doubts()),
             "from": {address: source.counts() for address, source in self.sources.items()},
             "to": {address: sink.counts() for address, sink in self._sinks.items()},
         }
@@ -93,6 +102,8 @@ class Show:
             f"within {tally.lateness(0.0) * 1000:.1f} ms"
         )
         yield from _counted("events", self._gate.counts())
+        if self._doubts():
+            yield from _counted("persons", self._doubts())
         for address, source in self.sources.items():
             yield from _counted(f"from {address}", source.counts())
         for address, sink in self._sinks.items():

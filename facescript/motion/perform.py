@@ -66,7 +66,8 @@ class FaceMotion:
         self.scenes = tuple(_scenes(score, face, memories, before.scenes if before else ()))
         self._gazing = _gazing(score, face)
         same = before is not None and before._gazing == self._gazing
-        self.gaze = before.gaze if before is not None and same else GazeTrack(score, face)
+        track = before.gaze if before else None
+        self.gaze = track if track is not None and same else GazeTrack(score, face, track)
         spoken = tuple(line for line in score.lines if line.face == face.name)
         self._saying = _saying(spoken)
         same = before is not None and before._saying == self._saying
