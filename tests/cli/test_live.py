@@ -62,6 +62,8 @@ def rows_of(name: str) -> list[dict[str, str]]:
 def test_a_run_is_had_again_by_its_log(monkeypatch: pytest.MonkeyPatch, capsys: Captured) -> None:
     said = ("arrives ann 30cm 0cm 80cm", 'heard "no" at 0.3s', "sighting ann 40cm 0cm 80cm", "key q", "what?")
     says(monkeypatch, *said)
+    with Path("kiosk.face").open("a", encoding="utf-8") as script:
+        script.write('event heard "no" at 0s\n')
     words = ["live", "kiosk.face", "--set", "degree=80%", "--seed", "11", "--fps", "50"]
     assert main([*words, "--from", "stdin:", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.8"]) == 0
     told = capsys.readouterr().err
@@ -75,48 +77,26 @@ def test_a_run_is_had_again_by_its_log(monkeypatch: pytest.MonkeyPatch, capsys: 
     assert (head["seed"], head["fps"], head["set"]) == (11, 50.0, {"degree": "80%"})
     rows = rows_of("run.csv")
     assert float(rows[-1]["brow.lower.left"]) > 0.5 > 0.01 > float(rows[0]["brow.lower.left"])
-
-
-def test_a_log_is_built_as_a_film(monkeypatch: pytest.MonkeyPatch) -> None:
-    says(monkeypatch, "arrives ann 30cm 0cm 80cm", 'heard "no" at 0.3s', "sighting ann 40cm 0cm 80cm")
-    with Path("kiosk.face").open("a", encoding="utf-8") as script:
-        script.write('event heard "no" at 0s\n')
-    assert (
-        main(["live", "kiosk.face", "--from", "stdin:", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.8"]) == 0
-    )
-    assert main(["build", "kiosk.face", "--events", "run.log", "--fps", "60", "-o", "film.csv", "--quiet"]) == 0
-    run, film = rows_of("run.csv"), {row["time"]: row for row in rows_of("film.csv")}
-    assert abs(len(film) - 48) <= 1
-    for row in run:
+    assert main(["build", "kiosk.face", "--events", "run.log", "--fps", "50", "-o", "film.csv", "--quiet"]) == 0
+    film = {row["time"]: row for row in rows_of("film.csv")}
+    assert abs(len(film) - 40) <= 1
+    for row in rows:
         if row["time"] in film:
-            for name in ("brow.lower.left", "brow.lower.right"):
-                assert float(row[name]) == pytest.approx(float(film[row["time"]][name]), abs=2e-4)
-    assert float(run[-1]["brow.lower.left"]) > 0.4
-
-
-def test_what_programs_told_is_no_film(capsys: Captured) -> None:
-    assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
-    head, *_ = Path("run.log").read_text("utf-8").splitlines()
-    Path("run.log").write_text(head + '\n{"frame": 1, "time": 0.01, "told": "nod"}\n', "utf-8")
-    assert main(["build", "kiosk.face", "--events", "run.log", "-o", "film.csv"]) == 2
-    assert "FS973" in capsys.readouterr().err
+            found = float(film[row["time"]]["brow.lower.left"])
+            assert float(row["brow.lower.left"]) == pytest.approx(found, abs=2e-4)
 
 
 def test_a_log_of_another_script_is_refused(capsys: Captured) -> None:
-    assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
-    with Path("kiosk.face").open("a", encoding="utf-8") as script:
-        script.write('when key "q":\n    nod\n')
-    assert main(["live", "kiosk.face", "--replay", "run.log"]) == 2
-    assert "FS974" in capsys.readouterr().err
-
-
-def test_a_file_that_the_script_uses_counts_too(capsys: Captured) -> None:
     Path("mine.face").write_text("expression wry = smile.left 60%\n", "utf-8")
     Path("uses.face").write_text('use "mine.face"\nshow wry\n', "utf-8")
     assert main(["live", "uses.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
+    log = Path("run.log").read_text("utf-8")
     Path("mine.face").write_text("expression wry = smile.left 70%\n", "utf-8")
     assert main(["live", "uses.face", "--replay", "run.log"]) == 2
     assert "FS974" in capsys.readouterr().err
+    Path("run.log").write_text(log.splitlines()[0] + '\n{"frame": 1, "time": 0.01, "told": "nod"}\n', "utf-8")
+    assert main(["build", "uses.face", "--events", "run.log", "-o", "film.csv"]) == 2
+    assert "FS973" in capsys.readouterr().err
 
 
 def test_onsets_are_the_plan_and_what_became_of_it() -> None:
@@ -127,7 +107,7 @@ def test_onsets_are_the_plan_and_what_became_of_it() -> None:
     assert [row["kind"] for row in rows[:1]] == ["scene"] and len(aside) >= 1
     assert float(aside[0]["planned"]) == 0.0 == float(aside[0]["frame"])
     assert all(float(row["planned"]) <= float(row["frame"]) + 1e-6 for row in rows)
-    assert all(0.0 <= float(row["real"]) - float(row["frame"]) < 1.0 for row in rows)
+    assert all(0.0 <= float(row["real"]) - float(row["frame"]) < 5.0 for row in rows)
 
 
 def test_a_trial_sets_what_its_columns_name() -> None:
