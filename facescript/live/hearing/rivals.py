@@ -29,16 +29,28 @@ def read_dictionary(path: Path) -> dict[str, list[Sounds]]:
     return found
 
 
-def rivals(ways: Iterable[Sounds], dictionary: Dictionary, often: Callable[[str], float], most: int) -> list[str]:
-    """The words that differ in one sound from a word that is said in these ways, those that are said `often` first; none
-    that is said just as it is."""
-    mine = frozenset(ways)
-    near = (
-        word
-        for word, others in dictionary.items()
-        if word.isalpha() and mine.isdisjoint(others) and any(_near(one, other) for one in mine for other in others)
-    )
-    return sorted(near, key=lambda word: -often(word))[:most]
+class Rivals:
+    """The words of a dictionary by how they begin and end: two that differ in one sound do one of both alike."""
+
+    def __init__(self, dictionary: Dictionary, often: Callable[[str], float]) -> None:
+        self._often = often
+        self._first: dict[str, list[tuple[str, Sounds]]] = {}
+        self._last: dict[str, list[tuple[str, Sounds]]] = {}
+        for word, ways in dictionary.items():
+            for sounds in ways if word.isalpha() else ():
+                self._first.setdefault(sounds[0], []).append((word, sounds))
+                self._last.setdefault(sounds[-1], []).append((word, sounds))
+
+    def of(self, ways: Iterable[Sounds], most: int) -> list[str]:
+        """The words that differ in one sound from a word that is said in these ways, frequent ones first."""
+        mine = frozenset(ways)
+        near = {
+            word: None
+            for one in mine
+            for word, other in (*self._first.get(one[0], ()), *self._last.get(one[-1], ()))
+            if _near(one, other) and other not in mine
+        }
+        return sorted(near, key=lambda word: -self._often(word))[:most]
 
 
 def _near(one: Sounds, other: Sounds) -> bool:

@@ -16,7 +16,7 @@ from pocketsphinx import Config, Decoder, LogMath, NGramModel, get_model_path
 from facescript.live.hearing.activity import HOP, Samples
 from facescript.live.hearing.ear import BEFORE, BEHIND
 from facescript.live.hearing.phrases import Phrase
-from facescript.live.hearing.rivals import COMMON, Sounds, read_dictionary, rivals
+from facescript.live.hearing.rivals import COMMON, Rivals, Sounds, read_dictionary
 
 WIDE: Mapping[str, Any] = {"beam": 1e-60, "pbeam": 1e-60, "compallsen": True, "bestpath": False, "loglevel": "FATAL"}
 """Wide beams: what is said may be unlike all that is sought, and that is the question."""
@@ -47,10 +47,8 @@ class Sphinx:
         self._lengths = [sum(len(ways[word][0]) for word in one.words) for one in phrases]
         lexicon = Lexicon()
         own = {word: lexicon.names(found) for word, found in ways.items()}
-        often = _often()
-        near = {
-            word: lexicon.names_of(rivals(found, dictionary, often, RIVALS), dictionary) for word, found in ways.items()
-        }
+        rivals = Rivals(dictionary, _often())
+        near = {word: lexicon.names_of(rivals.of(found, RIVALS), dictionary) for word, found in ways.items()}
         alone = lexicon.names_of([word for word in COMMON if word not in ways], dictionary)
         strict = [" ".join(_any(own[word]) for word in one.words) for one in phrases]
         loose = [" ".join(_any([*own[word], *near[word]]) for word in one.words) for one in phrases]

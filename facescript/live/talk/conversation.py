@@ -103,6 +103,7 @@ class Conversation:
         self._current: list[Turn] = []
         self._ears: list[Told] = []
         self._time = 0.0
+        self._silent: dict[str, float] = {}
         self._counts = {"told": 0, "refused": 0}
         self._mouth = ThreadPoolExecutor(1, "voice")
 
@@ -169,7 +170,7 @@ class Conversation:
 
     def _go_on(self) -> None:
         """Begins with all whose turn it is."""
-        busy: dict[str, float] = {}
+        busy = dict(self._silent)
         for turn in self._current:
             for face in turn.faces:
                 busy[face] = max(busy.get(face, 0.0), turn.end)
@@ -214,17 +215,16 @@ class Conversation:
         self._time = frame.time
         for turn in [one for one in self._current if one.over(frame.time)]:
             self._current.remove(turn)
-            self._over(turn, "said" if not turn.broken and turn.ends else "interrupted")
+            said = turn.end < inf and not turn.broken
+            if said:
+                self._silent.update(dict.fromkeys(turn.faces, turn.end))
+            self._over(turn, "said" if said else "interrupted")
         self._go_on()
 
     def mark(self, mark: Mark) -> None:
         if self._ears and not (mark.kind == "event" and mark.text.startswith((TOLD, HUSHED))):
-            said: dict[str, object] = {
-                mark.kind: mark.text,
-                "face": mark.face,
-                "label": mark.label,
-                "time": round(mark.time, 3),
-            }
+            said: dict[str, object] = {mark.kind: mark.text, "face": mark.face, "label": mark.label}
+            said["time"] = round(mark.time, 3)
             for ear in tuple(self._ears):
                 ear(said)
 

@@ -20,8 +20,8 @@ NOWHERE = Span(Source("told", ""), 0, 0)
 
 
 class Prompting:
-    """Tells a run what it was told. All that a face is told to say is as one reaction, which the next one starts afresh:
-    the line that sounds breaks off at the end of its word and is not said again. What does not speak stands alone."""
+    """Tells a run what it was told. All that a face is told to say is as one reaction, which the next starts afresh: a
+    line that sounds breaks off at the end of its word and is not said again. What does not speak stands alone."""
 
     def __init__(self, prompter: Callable[[], Prompter], faces: tuple[str, ...]) -> None:
         self._made = prompter
