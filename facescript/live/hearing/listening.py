@@ -98,7 +98,7 @@ class Listening:
             self._process, self._ready = None, False
             with suppress(ProcessLookupError):
                 process.kill()
-            await process.wait()
+            await process.communicate()  # its pipes are closed with it
 
     def _heard(self, message: dict[str, dict[str, object]], teller: Teller) -> None:
         if "ready" in message:
