@@ -53,6 +53,7 @@ class Microphone:
                     self._library._initialize()
         finally:
             listening.cancel()
+            await asyncio.gather(listening, return_exceptions=True)
 
     def counts(self) -> dict[str, int]:
         return {**self._counts, **self._listening.counts()}
