@@ -18,6 +18,7 @@ from pathlib import Path
 from _sending import layout, sent
 from row import Row
 
+from facescript.live.ports import Ports
 from facescript.live.sinks.registry import open_sink
 from facescript.live.sinks.setting import Setting
 from facescript.live.sinks.ws import WebSocketSink
@@ -44,11 +45,13 @@ def rows() -> Iterator[Row]:
     yield from asyncio.run(_one_stalls())
 
 
-async def _opened(faces: int) -> WebSocketSink:
-    sink = open_sink("ws://127.0.0.1:0", Setting(tell=lambda _: None))
+async def _opened(faces: int) -> tuple[WebSocketSink, Ports]:
+    setting = Setting()
+    sink = open_sink("ws://127.0.0.1:0", setting)
     assert isinstance(sink, WebSocketSink)
+    await setting.ports.open()
     await sink.open(layout(faces))
-    return sink
+    return sink, setting.ports
 
 
 async def _come(sink: WebSocketSink, many: int) -> Process:
@@ -62,13 +65,13 @@ async def _come(sink: WebSocketSink, many: int) -> Process:
 
 
 async def _all() -> list[Row]:
-    sink = await _opened(1)
+    sink, ports = await _opened(1)
     clients = await _come(sink, CLIENTS)
     seconds = MINUTES * 60
     used, began = time.process_time(), time.perf_counter()
     tally = await sent(sink, layout(), seconds)
     share = (time.process_time() - used) / (time.perf_counter() - began)
-    await sink.close()
+    await ports.close()
     found = json.loads((await clients.communicate())[0])
     what = f"60 fps to {CLIENTS} WebSocket clients for {MINUTES:g} min"
     few = min(found["frames"]), max(found["frames"])
@@ -81,13 +84,14 @@ async def _all() -> list[Row]:
         Row(f"{what}: between two frames at a client", f"p99 {GAP:g} ms", gaps, late <= GAP),
         Row(f"{what}: processor", f"{SHARE:g} of a core", f"{share:.3f} of a core", share <= SHARE),
         Row("ticks late", "", f"p99 {tally.lateness(0.01) * 1000:.1f} ms", None),
+        Row("processor that the clients take", "", f"{found['used']:.3f} of a core", None),
     ]
 
 
 async def _one_stalls() -> list[Row]:
     """A client that reads its head and no more, among others."""
     faces = 8
-    sink = await _opened(faces)
+    sink, ports = await _opened(faces)
     clients = await _come(sink, CLIENTS - 1)
     lazy = socket.create_connection(("127.0.0.1", sink.port))
     lazy.sendall(HEAD.format(port=sink.port).encode())
@@ -97,7 +101,7 @@ async def _one_stalls() -> list[Row]:
     waits = max(client.waiting for client in sink._clients)
     dropped = sink.counts()["dropped"]
     newest = await _read_on(lazy, sink, tally.frames)
-    await sink.close()
+    await ports.close()
     found = json.loads((await clients.communicate())[0])
     what = f"a client that reads nothing for {STALLED:g} s, {CLIENTS - 1} others, {faces} faces"
     _, late, latest = found["gaps"]

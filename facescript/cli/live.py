@@ -187,13 +187,13 @@ async def _run(
     gate = Gate(clock, orders.fps, waits(play), tell)
     feed = gate if orders.recorded is None else Replay(orders.recorded)
     prompting = Prompting(prompter, tuple(face.name for face in play.faces))
-    performer = Run(play, voice, orders.fps, prompting)
-    sinks = {address: open_sink(address, Going(orders.token, orders.hasty, tell)) for address in orders.sinks}
+    performer, ports = Run(play, voice, orders.fps, prompting), Ports()
+    sinks = {address: open_sink(address, Going(orders.token, orders.hasty, tell, ports)) for address in orders.sinks}
     pages = _pages(orders, play, world, performer)
     sinks |= pages
-    talk, own, ports = Conversation(prompting, voice), OwnVoice(), Ports()
+    talk, own = Conversation(prompting, voice), OwnVoice()
     loop = Loop(performer, clock, feed, [*sinks.values(), own, talk], keepers)
-    evening = Show(loop, gate, sinks, ports)
+    evening = Show(loop, gate, sinks, ports, performer.doubts)
     coming = Coming(play, world, clock, ports, orders.token, tell, evening.status, talk, own)
     sources = {address: open_source(address, coming) for address in dict.fromkeys(orders.options.sources)}
     evening.sources = sources | pages

@@ -26,7 +26,7 @@ FORGOTTEN = 60.0
 QUICKEST, QUICKEST_OF_ALL = 10.0, 60.0
 """As often in a second an event is heeded, and all events together; a second's worth may come at once."""
 
-HEEDING, PROMPT = 10.0, 5.0
+HEEDING, PROMPT = 5.0, 5.0
 """Frames a second that heed events, and how many may do so one after another: what comes in between waits for the next
 of them. To heed events is far more work than a frame."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import errno
 import logging
 import re
 import socket
@@ -21,11 +22,20 @@ from facescript.live.callers import Callers
 from facescript.live.messages import LARGEST
 from facescript.web.doors import refused
 
-MOST = 128
+MOST = 256
 """Connections of WebSockets at once."""
+
+PING, LOST, CLOSING = 5.0, 15.0, 1.0
+"""Seconds between two pings, until a client that answers none is taken as gone, and for its last word."""
 
 LARGEST_HEAD = 8192
 """Bytes of a request before its body."""
+
+REASONS = {
+    errno.EADDRINUSE: "the port is in use by another program",
+    errno.EACCES: "the system keeps that port for itself",
+    errno.EADDRNOTAVAIL: "this machine has no such address",
+}
 
 AT_ONCE = 8192
 """Bytes of a connection that the system keeps: what is there is read at once, and frames wait for that."""
@@ -56,7 +66,7 @@ class Port:
     def connected(self, path: str, handler: Handler) -> None:
         """WebSockets at a path are given to `handler`. Raises `AddressFault` where another has it."""
         if path in self._sockets:
-            raise AddressFault("FS971", address=self._address.text, reason=f"`{path}` is taken already")
+            raise AddressFault("FS982", address=self._address.text, reason=f"`{path}` is taken already")
         self._sockets[path] = handler
 
     def answered(self, path: str, answer: Answer) -> None:
@@ -85,14 +95,14 @@ class Port:
                 max_queue=16,
                 compression=None,
                 open_timeout=5.0,
-                close_timeout=1.0,
-                ping_interval=5.0,
-                ping_timeout=5.0,
+                close_timeout=CLOSING,
+                ping_interval=PING,
+                ping_timeout=LOST,
                 logger=QUIET,
             )
         except OSError as fault:
-            reason = (fault.strerror or "it cannot be listened at").lower()
-            raise AddressFault("FS971", address=self._address.text, reason=reason) from None
+            reason = REASONS.get(fault.errno or 0, (fault.strerror or "it cannot be listened at").lower())
+            raise AddressFault("FS982", address=self._address.text, reason=reason) from None
         self.bound = next(iter(self._server.sockets)).getsockname()[1]
         at = f"[{host}]:{self.bound}" if ":" in host else f"{host}:{self.bound}"
         return [f"ws://{at}{path}" for path in self._sockets] + ([f"http://{at}"] if self._posts else [])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import gc
 import signal
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from math import inf
@@ -15,19 +16,30 @@ from facescript.live.loop import Loop
 from facescript.live.model import Sink, Source, Teller
 from facescript.live.ports import Ports
 
+SWITCHED = 0.001
+"""Seconds that a thread of a source may go on while a frame is due."""
+
 
 class Show:
-    """What runs: a loop, the sinks it gives to, and the `sources` that tell its gate, by their addresses."""
+    """What runs: a loop, the sinks it gives to, and the `sources` that tell its gate, by their addresses. `doubts` are
+    the sightings that were not believed, and why."""
 
-    def __init__(self, loop: Loop, gate: Gate, sinks: Mapping[str, Sink], ports: Ports) -> None:
-        self._loop, self._gate, self._sinks, self._ports = loop, gate, sinks, ports
+    def __init__(
+        self,
+        loop: Loop,
+        gate: Gate,
+        sinks: Mapping[str, Sink],
+        ports: Ports,
+        doubts: Callable[[], Mapping[str, int]] = dict,
+    ) -> None:
+        self._loop, self._gate, self._sinks, self._ports, self._doubts = loop, gate, sinks, ports, doubts
         self.sources: Mapping[str, Source] = {}
 
     async def run(self, seconds: float = inf, tell: Callable[[str], None] = print) -> None:
         """Until its time is over, or the process is told to end. Raises `AddressFault`."""
         try:
             for place in await self._ports.open():
-                tell(f"Events are taken at {place}.")
+                tell(f"The run listens at {place}.")
             await self._opened()
             await self._play(seconds)
         finally:
@@ -47,6 +59,7 @@ class Show:
 
     async def _play(self, seconds: float) -> None:
         """The loop to its end, or to the fault of a source that can never work."""
+        sys.setswitchinterval(SWITCHED)
         gc.collect()
         gc.freeze()  # what was made by now stays: a look for rubbish would cost a frame
         playing = asyncio.create_task(self._loop.play(seconds))
@@ -75,6 +88,7 @@ class Show:
             "late": tally.late,
             "dropped": tally.dropped,
             "events": self._gate.counts(),
+            "persons": dict(self._doubts()),
             "from": {address: source.counts() for address, source in self.sources.items()},
             "to": {address: sink.counts() for address, sink in self._sinks.items()},
         }
@@ -84,9 +98,12 @@ class Show:
         tally, fps = self._loop.tally, self._loop.layout.fps
         yield (
             f"{tally.frames} frames in {self._loop.next / fps:.1f} s at {fps:g} a second, {tally.late} late, "
-            f"{tally.dropped} dropped; 99 of 100 were given within {tally.lateness(0.01) * 1000:.1f} ms"
+            f"{tally.dropped} dropped; 99 of 100 were given within {tally.lateness(0.01) * 1000:.1f} ms, all "
+            f"within {tally.lateness(0.0) * 1000:.1f} ms"
         )
         yield from _counted("events", self._gate.counts())
+        if self._doubts():
+            yield from _counted("persons", self._doubts())
         for address, source in self.sources.items():
             yield from _counted(f"from {address}", source.counts())
         for address, sink in self._sinks.items():

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from facescript.ir.acts import SetLife
 from facescript.ir.play import Face
 from facescript.motion.blend import giving_way
 from facescript.motion.compose import Asked, compose, head_pose
@@ -22,7 +23,7 @@ from facescript.motion.mouth import MouthTrack
 from facescript.motion.recorded import Recorded, Turned
 from facescript.performance.channels import POSE, channels_of
 from facescript.performance.performance import Frames, Performance
-from facescript.schedule.score import Score, TimedScene
+from facescript.schedule.score import Score, TimedAct, TimedLine, TimedScene
 from facescript.speech.mouth.own import table_of
 
 _PLACE = rows(("head.x", "head.y"))
@@ -52,17 +53,25 @@ class SceneMotion:
     gestures: Gestures
     lives: Lives
     recorded: Recorded
+    heeded: Heeded
 
 
 class FaceMotion:
     """One face over the whole film. Its sources stay apart in `asked`, so that each can be looked at alone."""
 
-    def __init__(self, score: Score, face: Face, memories: Memories | None = None) -> None:
-        """In a run there are `memories` of its lives."""
-        self.scenes = tuple(_scenes(score, face, memories))
-        self.gaze = GazeTrack(score, face)
+    def __init__(
+        self, score: Score, face: Face, memories: Memories | None = None, before: FaceMotion | None = None
+    ) -> None:
+        """In a run there are `memories` of its lives, and what would be as it was `before` is taken from there."""
+        self.scenes = tuple(_scenes(score, face, memories, before.scenes if before else ()))
+        self._gazing = _gazing(score, face)
+        same = before is not None and before._gazing == self._gazing
+        track = before.gaze if before else None
+        self.gaze = track if track is not None and same else GazeTrack(score, face, track)
         spoken = tuple(line for line in score.lines if line.face == face.name)
-        self.mouth = MouthTrack(spoken, table_of(score.visemes))
+        self._saying = _saying(spoken)
+        same = before is not None and before._saying == self._saying
+        self.mouth = before.mouth if before is not None and same else MouthTrack(spoken, table_of(score.visemes))
 
     def sample(self, times: Floats) -> Frames:
         """Poses at `times` (seconds, any order): array[len(times), len(POSE)]."""
@@ -122,7 +131,29 @@ class FaceMotion:
         return replace(asked, head=head, turned=turned)
 
 
-def _scenes(score: Score, face: Face, memories: Memories | None) -> Iterator[SceneMotion]:
+Heeded = tuple[object, ...]
+"""All that the lives of a face in a scene hang on."""
+
+
+def _gazing(score: Score, face: Face) -> Heeded:
+    """All that the gaze of a face hangs on."""
+    plans = [(act.scene, act.plan) for act in score.acts if act.face == face.name and act.plan]
+    return plans, score.scenes, score.targets
+
+
+def _saying(lines: Sequence[TimedLine]) -> Heeded:
+    """All that the mouth of a face hangs on."""
+    return tuple((line.spoken, line.start, line.cut, line.volume) for line in lines)
+
+
+def _heeded(acts: Sequence[TimedAct], lines: Sequence[TimedLine], scene: TimedScene, memory: Memory | None) -> Heeded:
+    gazing = [(act.verb, act.start, act.end, act.plan) for act in acts if act.plan or isinstance(act.verb, SetLife)]
+    return gazing, _saying(lines), scene, memory
+
+
+def _scenes(
+    score: Score, face: Face, memories: Memories | None, before: Sequence[SceneMotion]
+) -> Iterator[SceneMotion]:
     """The scenes a face is in; it is neutral in the others."""
     starts = [scene.start for scene in score.scenes]
     for number, scene in enumerate(score.scenes):
@@ -133,13 +164,16 @@ def _scenes(score: Score, face: Face, memories: Memories | None) -> Iterator[Sce
         again = _times_before(score.scenes, number)
         dice = Dice(score.film.seed, (face.name, scene.name, again))
         memory = None if memories is None else memories.setdefault((scene.name, again), Memory())
+        heeded = _heeded(acts, lines, scene, memory)
+        same = next((one.lives for one in before if one.heeded == heeded), None)
         yield SceneMotion(
             scene.start,
             starts[number + 1] if number + 1 < len(starts) else np.inf,
             Expression(acts, scene.start, scene.end),
             Gestures(acts),
-            lives(face.life, acts, lines, scene.start, scene.end, dice, channels_of(face.parts), memory),
+            same or lives(face.life, acts, lines, scene.start, scene.end, dice, channels_of(face.parts), memory),
             Recorded(acts),
+            heeded,
         )
 
 

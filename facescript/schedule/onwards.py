@@ -6,10 +6,11 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from facescript.ir.acts import Glance, Look, Say, Scan
+from facescript.ir.acts import Do, Glance, Look, Say, Scan
 from facescript.ir.play import Play, Reaction
 from facescript.ir.values import AtTarget
 from facescript.schedule.deeds import Deed, Sounding
+from facescript.schedule.defaults import Concrete
 from facescript.schedule.drops import Key as Term
 from facescript.schedule.drops import take_off
 from facescript.schedule.events import Happening, Trigger, heeds, planted
@@ -17,7 +18,7 @@ from facescript.schedule.facts import Facts
 from facescript.schedule.faults import Faults
 from facescript.schedule.film import Placed, Timed
 from facescript.schedule.forgetting import Forgetting, begin_of
-from facescript.schedule.labels import Labels
+from facescript.schedule.labels import Labels, nodes
 from facescript.schedule.lengths import Lengths
 from facescript.schedule.looks import Gaze, landings, scene_at
 from facescript.schedule.means import Means
@@ -35,6 +36,7 @@ from facescript.space.plan import GazePlan
 from facescript.space.planner import GazeRequest, Planning, plan_gaze
 from facescript.space.room import Room
 from facescript.speech.model import VoiceBox
+from facescript.text import Span
 
 STATEMENTS = 200_000
 """Statements that one solution may come to."""
@@ -42,7 +44,7 @@ STATEMENTS = 200_000
 ROUNDS = 60
 """So many rounds of solving at most: what is known after them is taken as it is, for the face goes on."""
 
-BEYOND = 10.0
+BEYOND = 4.0
 """Seconds that a score is told to last beyond its horizon: life foresees nothing that is further away."""
 
 TAIL = 6.0
@@ -59,6 +61,14 @@ below 0, for the play's are counted from there."""
 
 def nothing(event: Happening) -> tuple[tuple[int, Reaction], ...]:
     return ()
+
+
+def lines_of(play: Play) -> Iterator[tuple[Say, Span]]:
+    """All lines that a play may come to, and where they stand."""
+    for block in (*(scene.body for scene in play.scenes), *(one.body for one in play.reactions)):
+        for node, _ in nodes(block):
+            if isinstance(node, Do) and isinstance(node.verb, Say):
+                yield node.verb, node.span
 
 
 @dataclass(slots=True)
@@ -119,6 +129,7 @@ class Onwards:
         self._lines: list[TimedLine] = []
         self._gazes: dict[str, Planning] = {}
         self._outlook: Outlook | None = None
+        self._facts = Facts()
 
     def meet(self, persons: Iterable[LiveTarget]) -> None:
         """Have persons in the room; one whom the script names too takes the place of that target."""
@@ -166,7 +177,7 @@ class Onwards:
         return self._score(self._outlook, horizon + BEYOND)
 
     def _at_rest(self, horizon: float) -> Outlook:
-        facts = Facts(looks=dict(self._past.looks))
+        facts = self._facts
         for _ in range(ROUNDS):
             solved = self._round(facts, horizon)
             learned = replace(facts, delays=solved.delays(), holds=solved.holds())
@@ -174,6 +185,7 @@ class Onwards:
                 outlook = self._seen(solved)
                 learned = replace(facts, looks=landings(solved.done, outlook.plans) | self._past.looks)
                 if learned == facts:
+                    self._facts = facts
                     return outlook
             facts = learned
         return self._seen(solved)
@@ -276,12 +288,22 @@ class Onwards:
         acts = self._forget_deeds(outlook, begin, forgetting, over)
         self._forget_past(solved, forgetting, over, time)
         self._begin = begin
+        if any(one.trigger.number < 0 and one.rank in over for one in self._heeded):
+            self._forget_told()
         self._heeded = [one for one in self._heeded if one.rank not in over]
         if len(self._means.paced) > PACED:
             self._means.paced.clear()
         scene = self.play.scenes[begin.scene]
         said = tuple(line for line in lines if line.start >= begin.start)
         return Forgotten((scene.name, begin.played - dict(begin.first)[begin.scene]), acts, said)
+
+    def _forget_told(self) -> None:
+        """What is known of statements by their identity is forgotten where some of them are no more."""
+        own = {replace(line, cues=()) for line, _ in lines_of(self.play)}
+        self.voices.forget(own)
+        self._means.concrete = Concrete(self.play.film.seed)
+        self._means.paced.clear()
+        self._labels = Labels()
 
     def _over(self, solved: Round, forgetting: Forgetting) -> set[int]:
         """The ranks of the reactions that nothing hangs on any more."""

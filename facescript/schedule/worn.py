@@ -12,6 +12,7 @@ from facescript.ir.acts import (
     Gesture,
     Glance,
     Look,
+    Perform,
     Scan,
     SetBackground,
     SetLife,
@@ -51,7 +52,7 @@ class Worn:
     def written(self, deed: Deed, plan: tuple[GazePlan, ...], drops: tuple[tuple[int, int], ...]) -> TimedAct:
         """Its act by what has become of the deed."""
         end = self.act.end
-        if isinstance(deed.verb, Add):
+        if isinstance(deed.verb, (Add, Perform)):
             end = deed.release + (self.act.verb.timing.back or 0.0)  # type: ignore[union-attr,operator]
         elif plan:
             end = gone(plan, deed.release)
@@ -100,7 +101,7 @@ def _refers(one: Worn, orders: Collection[int]) -> bool:
 def _lasts(one: Worn, owners: Collection[Key], time: float) -> bool:
     """Whether anything of it is left at a time, by itself."""
     verb, act = one.deed.verb, one.act
-    if isinstance(verb, (Show, Add, Gesture)):
+    if isinstance(verb, (Show, Add, Perform, Gesture)):
         return act.end > time
     if isinstance(verb, (Look, Glance, Scan)):
         return one.key in owners or (act.end < FOREVER and act.end > time) or _moving(act, time)
@@ -126,8 +127,9 @@ def _uncovered(items: list[Worn], time: float) -> list[Worn]:
     found: list[Worn] = []
     covered: set[tuple[object, str | None]] = set()
     for one in reversed(items):
-        kind = (type(one.deed.verb), one.deed.face)
-        if kind in covered and isinstance(one.deed.verb, (Show, *LAST)):
+        base = isinstance(one.deed.verb, (Show, Perform))
+        kind = (Show if base else type(one.deed.verb), one.deed.face)
+        if kind in covered and isinstance(one.deed.verb, (Show, Perform, *LAST)):
             continue
         if isinstance(one.deed.verb, (Show, *LAST)) and _holds(one, time):
             covered.add(kind)

@@ -76,6 +76,31 @@ def test_a_run_is_had_again_by_its_log(monkeypatch: pytest.MonkeyPatch, capsys: 
     assert float(rows[-1]["brow.lower.left"]) > 0.5 > 0.01 > float(rows[0]["brow.lower.left"])
 
 
+def test_a_log_is_built_as_a_film(monkeypatch: pytest.MonkeyPatch) -> None:
+    says(monkeypatch, "arrives ann 30cm 0cm 80cm", 'heard "no" at 0.3s', "sighting ann 40cm 0cm 80cm")
+    with Path("kiosk.face").open("a", encoding="utf-8") as script:
+        script.write('event heard "no" at 0s\n')
+    assert (
+        main(["live", "kiosk.face", "--from", "stdin:", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.8"]) == 0
+    )
+    assert main(["build", "kiosk.face", "--events", "run.log", "--fps", "60", "-o", "film.csv", "--quiet"]) == 0
+    run, film = rows_of("run.csv"), {row["time"]: row for row in rows_of("film.csv")}
+    assert abs(len(film) - 48) <= 1
+    for row in run:
+        if row["time"] in film:
+            for name in ("brow.lower.left", "brow.lower.right"):
+                assert float(row[name]) == pytest.approx(float(film[row["time"]][name]), abs=2e-4)
+    assert float(run[-1]["brow.lower.left"]) > 0.4
+
+
+def test_what_programs_told_is_no_film(capsys: Captured) -> None:
+    assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
+    head, *_ = Path("run.log").read_text("utf-8").splitlines()
+    Path("run.log").write_text(head + '\n{"frame": 1, "time": 0.01, "told": "nod"}\n', "utf-8")
+    assert main(["build", "kiosk.face", "--events", "run.log", "-o", "film.csv"]) == 2
+    assert "FS973" in capsys.readouterr().err
+
+
 def test_a_log_of_another_script_is_refused(capsys: Captured) -> None:
     assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
     with Path("kiosk.face").open("a", encoding="utf-8") as script:
@@ -141,7 +166,7 @@ def test_what_cannot_be_is_told(words: list[str], code: str, capsys: Captured) -
 @pytest.mark.parametrize(
     ("script", "code"),
     [
-        ("smiel\n", "FS201"),
+        ("smiel\n", "FS204"),
         ("at a.end: nod as b\nat b.end: nod as a\n", "FS405"),
         ('face ada = woman, voice en-us nobody\nnod\nwhen heard "no":\n    say "Oh."\n', "FS501"),
     ],

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from threading import Thread
 
-import pytest
-
 from facescript.ir.values import Point
 from facescript.live.clock import SimulatedClock
-from facescript.live.gate import AHEAD, MOST_PERSONS, MOST_TOLD, QUICKEST, Gate
+from facescript.live.gate import AHEAD, HEEDING, MOST_PERSONS, MOST_TOLD, PROMPT, QUICKEST, QUICKEST_OF_ALL, Gate
 from facescript.live.model import Happening, Sighting
 
 FRAME = 0.1
@@ -122,12 +120,30 @@ async def test_a_flood_from_threads_is_counted_and_little_of_it_heeded() -> None
     assert heeded <= 2 * QUICKEST * (1 + 51 * FRAME)
 
 
-@pytest.mark.parametrize("rate", [20, 100])
-async def test_an_event_is_heeded_only_so_often(rate: int) -> None:
+async def test_frames_heed_events_only_so_often_and_lose_none_that_waits() -> None:
+    door, heeding, heeded = Door(), 0, set()
+    for number in range(100):
+        if number < 90:
+            door.heard(f"no {number // 3}")
+        found = await door.next()
+        heeding += bool(found)
+        heeded |= {item.text for item in found if isinstance(item, Happening)}
+    assert 45 <= heeding <= PROMPT + 100 * FRAME * HEEDING
+    assert heeded == {f"no {number}" for number in range(30)}
+
+
+async def test_sightings_do_not_wait_for_events() -> None:
+    door = Door()
+    for number in range(50):
+        door.heard(f"no {number}")
+        door.gate.sighting(seen("ann", number))
+        assert sum(isinstance(item, Sighting) for item in await door.next()) == 1
+
+
+async def test_all_events_together_are_bounded() -> None:
     door = Door()
     for _ in range(100):
-        for number in range(rate // 10):
+        for number in range(20):
             door.heard(f"no {number}")
         await door.next()
-    taken = door.gate.counts()["taken"]
-    assert 0.9 * min(rate, 60) * 10 <= taken <= min(rate, 60) * 11
+    assert door.gate.counts()["taken"] <= QUICKEST_OF_ALL * 11

@@ -11,6 +11,7 @@ import sys
 import time
 from collections import deque
 from collections.abc import Iterator
+from contextlib import ExitStack
 from http.client import HTTPConnection
 from itertools import pairwise
 from pathlib import Path
@@ -24,6 +25,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
 from facescript.live.page.guest import AHEAD
+from facescript.live.page.page import PAGES
 
 pytestmark = pytest.mark.skipif(program() is None, reason="no Chromium on this machine")
 
@@ -171,9 +173,9 @@ def test_a_line_is_heard_when_its_mouth_is_seen_and_read(page: Page) -> None:
     touch(page, "Where am I?")
     wait(page, "facescript.sound.lines.some(line => line.heard)")
     wait(page, "document.getElementById('caption').textContent.includes('where you are')")
-    asked = "(line => [line.heard - facescript.time.when(line.start), line.late])(facescript.sound.lines.at(-1))"
-    off, late = page.run(asked)
-    assert abs(off) < 40 or late > 0, "ms between sound and picture"
+    asked = """(line => 1000 * (facescript.time.now() - line.start - line.into) - (performance.now() - line.heard))
+      (facescript.sound.lines.at(-1))"""
+    assert abs(page.run(asked)) < 40, "ms from the mouth to its sound"
     page.run("document.getElementById('captions-button').click()")
     assert page.run("getComputedStyle(document.getElementById('caption')).display") == "none"
     page.run("document.getElementById('captions-button').click()")
@@ -227,6 +229,15 @@ def test_strangers_and_nonsense_are_refused(live: Live) -> None:
         page.send("x" * 5000)
         with pytest.raises(ConnectionClosed):
             deque(page, 0)
+
+
+def test_no_more_pages_may_be_open_than_it_can_serve(page: Page, live: Live) -> None:
+    with ExitStack() as pages:
+        for _ in range(PAGES - 1):
+            pages.enter_context(live.socket())
+        with pytest.raises(InvalidStatus, match="503"):
+            live.socket()
+    assert page.run("facescript.picture.waiting") == 0
 
 
 def test_it_waits_for_a_server_that_answers_nothing_and_comes_back(page: Page, live: Live) -> None:

@@ -61,9 +61,12 @@ class Told:
 @asynccontextmanager
 async def opened(address: str, of: Layout, setting: Setting | None = None) -> AsyncIterator[Sink]:
     """A sink that is open, and closed at the end."""
-    sink = open_sink(address, setting or Told().setting())
-    await sink.open(of)
+    setting = setting or Told().setting()
+    sink = open_sink(address, setting)
     try:
+        await setting.ports.open()
+        await sink.open(of)
         yield sink
     finally:
         await sink.close()
+        await setting.ports.close()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -66,11 +67,19 @@ def test_a_plug_in_brings_a_kind_of_address(tmp_path: Path, monkeypatch: pytest.
     )
     (tmp_path / "lamp.py").write_text("class Lamp:\n    def __init__(self, address):\n        self.address = address\n")
     monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.delitem(sys.modules, "lamp", raising=False)
     assert vars(open_sink("lamp:kitchen")) == {"address": "lamp:kitchen"}
     assert type(open_sink("osc://127.0.0.1:9000")).__name__ == "OscSink"
     with pytest.raises(AddressFault, match="cannot be loaded") as fault:
         open_sink("broken:")
     assert fault.value.code == "FS982"
+
+
+def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pylsl", None)
+    with pytest.raises(AddressFault) as fault:
+        open_sink("lsl://Ada")
+    assert 'pip install "facescript[lsl]"' in diagnose(fault.value.code, None, **fault.value.values).message  # type: ignore[arg-type]
 
 
 async def test_a_face_that_is_not_there_is_said() -> None:

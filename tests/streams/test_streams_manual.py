@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 import io
 import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -72,6 +73,7 @@ async def test_the_sink_of_the_manual_is_one(tmp_path: Path, monkeypatch: pytest
     (told / "entry_points.txt").write_text("[facescript.sinks]\nlamp = lamp:Lamp\n")
     (tmp_path / "lamp.py").write_text(titled("lamp.py"))
     monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.delitem(sys.modules, "lamp", raising=False)
     of = layout()
     async with opened(f"lamp:{tmp_path}/device", of) as sink:
         for number in (0, 50, 200):

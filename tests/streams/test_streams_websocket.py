@@ -6,7 +6,10 @@ import asyncio
 import json
 import socket
 import struct
+import sys
 from collections.abc import AsyncIterator
+from contextlib import suppress
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,8 +17,9 @@ from streaming import HELLO, Told, frame, layout, line, opened, smiling
 from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
+from facescript.live import port as ports
 from facescript.live.address import AddressFault
-from facescript.live.model import Layout
+from facescript.live.model import Layout, Mark
 from facescript.live.sinks import ws
 from facescript.live.sinks.ws import WebSocketSink
 
@@ -34,7 +38,7 @@ async def sink() -> AsyncIterator[WebSocketSink]:
 def hasty(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pings come at once, and little is waited for."""
     for name, seconds in (("PING", 0.05), ("LOST", 0.1), ("CLOSING", 0.05)):
-        monkeypatch.setattr(ws, name, seconds)
+        monkeypatch.setattr(ports, name, seconds)
 
 
 def at(sink: WebSocketSink, path: str = "/") -> str:
@@ -105,6 +109,20 @@ async def test_who_stops_reading_costs_the_others_nothing() -> None:
             assert most < 16_000, "no more than one message waits"
             seen = await _returns(lazy, sink, of)
     assert seen == 600, "and then it gets the newest"
+
+
+async def test_who_misses_too_much_that_is_said_once_has_to_come_again() -> None:
+    async with opened(ANY, layout()) as sink:
+        assert isinstance(sink, WebSocketSink)
+        lazy = await _lazy(sink)
+        long = Mark("line", 0.0, "x" * 10_000)
+        async with asyncio.timeout(5):
+            while sink._clients:
+                sink.mark(long)
+                assert all(client.waiting <= ws.BEHIND for client in sink._clients)
+                await asyncio.sleep(0)
+        assert sink.counts()["dropped"] >= 1
+        lazy.close()
 
 
 async def _lazy(sink: WebSocketSink) -> socket.socket:
@@ -215,7 +233,7 @@ async def test_who_is_gone_without_a_word_is_found(hasty: None, sink: WebSocketS
 
 
 async def test_no_more_come_than_there_is_room_for(monkeypatch: pytest.MonkeyPatch, sink: WebSocketSink) -> None:
-    monkeypatch.setattr(ws, "MOST_CLIENTS", 1)
+    monkeypatch.setattr(ports, "MOST", 1)
     async with connect(at(sink), proxy=None) as client:
         await client.recv()
         with pytest.raises(InvalidStatus) as refused:
@@ -231,7 +249,7 @@ async def test_a_port_that_is_taken_is_said() -> None:
         with pytest.raises(AddressFault) as fault:
             async with opened(f"ws://127.0.0.1:{taken.getsockname()[1]}", layout()):
                 pass
-    assert (fault.value.code, fault.value.values["reason"]) == ("FS982", "another program listens there")
+    assert (fault.value.code, fault.value.values["reason"]) == ("FS982", "the port is in use by another program")
 
 
 async def test_all_is_counted(sink: WebSocketSink) -> None:
@@ -242,3 +260,28 @@ async def test_all_is_counted(sink: WebSocketSink) -> None:
         for _ in range(5):
             await client.recv()
     assert sink.counts() == {"sent": 5, "dropped": 0, "clients": 1, "refused": 0}
+
+
+async def test_events_come_in_where_the_stream_goes_out(tmp_path: Path) -> None:
+    (tmp_path / "no.face").write_text('face ada = woman\n\nwhen heard "no":\n    nod as denied\n')
+    at = f"ws://127.0.0.1:{free_port()}"
+    words = [sys.executable, "-m", "facescript.cli.main", "live", "no.face", "--from", at, "--to", at, "--for", "20s"]
+    process = await asyncio.create_subprocess_exec(*words, cwd=tmp_path, stderr=asyncio.subprocess.DEVNULL)
+    async with asyncio.timeout(15):
+        while True:
+            with suppress(OSError):
+                async with connect(f"{at}/json", proxy=None) as stream, connect(f"{at}/events", proxy=None) as events:
+                    await events.send("heard no")
+                    async for text in stream:
+                        if json.loads(text).get("label") == "when.1.denied":
+                            break
+                break
+            await asyncio.sleep(0.05)
+    process.terminate()
+    assert await process.wait() == 0
+
+
+def free_port() -> int:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return int(free.getsockname()[1])

@@ -54,6 +54,9 @@ UNDER_WAY = 12
 AGAIN = 1.0
 """Seconds until a process that ended is begun again."""
 
+COUNTED = ("sent", "dropped", "events", "refused", "easels lost")
+"""What is counted, in the order in which it is told."""
+
 TAKEN: Taken = {"touched": {"text": (str,)}, "key": {"text": (str,)}, "drew": {"number": (int,)}}
 """What a page may say: what was touched, which key was struck, and which frame it drew."""
 
@@ -110,12 +113,7 @@ class Page:
     def frame(self, frame: Frame) -> None:
         """Has a frame drawn if a page will draw it. Of frames that come while dozens wait none is kept."""
         self._time = frame.time
-        if (
-            self._easel is None
-            or not self._figure
-            or frame.number < self._next
-            or all(guest.idle for guest in self._guests)
-        ):
+        if self._easel is None or not self._figure or frame.number < self._next or self._unwatched:
             return
         if len(self._under_way) >= UNDER_WAY:
             self._counts["dropped"] += 1
@@ -146,7 +144,7 @@ class Page:
         counts = self._counts.copy()
         for guest in self._guests:
             counts.update(sent=guest.sent, dropped=guest.dropped)
-        return {**counts, "pages": len(self._guests)}
+        return {"pages": len(self._guests), **{name: counts[name] for name in COUNTED}}
 
     async def run(self, teller: Teller) -> None:
         """Tells of what is touched until it is cancelled."""

@@ -31,6 +31,10 @@ class Company:
     def see(self, sighting: Sighting) -> None:
         self._persons.see(sighting)
 
+    def doubts(self) -> dict[str, int]:
+        """The sightings that were not believed, and why."""
+        return self._persons.counts()
+
     def hear(self, event: Happening) -> None:
         """Somebody arrives or leaves."""
         person = event.person

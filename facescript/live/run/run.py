@@ -7,7 +7,6 @@ from math import ceil, inf, nextafter
 
 import numpy as np
 
-from facescript.ir.acts import Do, Say
 from facescript.ir.play import Play
 from facescript.live.model import Frame, Happening, Layout, Mark, Sighting, Utterance
 from facescript.live.run.company import Company
@@ -15,16 +14,22 @@ from facescript.live.run.curves import FaceCurves
 from facescript.live.run.telling import Marks, Utterances, of_event
 from facescript.motion.drivers import Floats
 from facescript.motion.perform import FaceMotion, Memories, perform
-from facescript.schedule.labels import nodes
-from facescript.schedule.onwards import Onwards, Told, nothing
+from facescript.schedule.onwards import Onwards, Told, lines_of, nothing
 from facescript.schedule.score import Score
 from facescript.speech.model import VoiceBox
 
-STEP, STEPS = 4.0, 3
-"""The horizon moves every so many seconds, and lies so many steps beyond the one that a time is in."""
+STEP, STEPS = 2.0, 3
+"""The horizon moves every so many seconds, and lies so many steps beyond the one that a time is in: life foresees a
+line by two seconds and a half."""
+
+LATELY = 4.0
+"""Seconds after which what is over is forgotten: by then it has come to rest."""
 
 BLOCK = 6
 """So many frames are worked out at once: numpy takes for one nearly as long as for six."""
+
+CERTAIN = 0.1
+"""But not more than so many seconds ahead: further on it hangs on what is still to be seen how somebody is followed."""
 
 CLOSE = 1e-9
 """Seconds within which an event is at a frame's time."""
@@ -52,6 +57,7 @@ class Run:
         performance = perform(self.score)
         self._seen = {face.name: face for face in play.faces if face.seen}
         self._memories: dict[str, Memories] = {name: {} for name in self._seen}
+        self._curves: dict[str, FaceCurves] = {}
         self._curves = {name: FaceCurves(self._motion(self.score, name)) for name in self._seen}
         self._columns = performance.columns
         self.layout = Layout(
@@ -61,13 +67,12 @@ class Run:
 
     def _speak(self, play: Play) -> None:
         """Have every line of the play spoken, so that none is waited for when it is due."""
-        for block in (*(scene.body for scene in play.scenes), *(one.body for one in play.reactions)):
-            for node, _ in nodes(block):
-                if isinstance(node, Do) and isinstance(node.verb, Say):
-                    self._onwards.voices.speak(node.verb, node.span)
+        for line, span in lines_of(play):
+            self._onwards.voices.speak(line, span)
 
     def _motion(self, score: Score, name: str) -> FaceMotion:
-        return FaceMotion(score, self._seen[name], self._memories[name])
+        before = self._curves[name].motion if name in self._curves else None
+        return FaceMotion(score, self._seen[name], self._memories[name], before)
 
     # ------------------------------------------------------------------------------------------------ what goes in
 
@@ -80,6 +85,10 @@ class Run:
     def see(self, sighting: Sighting) -> None:
         """Somebody is at a place at a time of the run; frames from the next one on know of it."""
         self._company.see(sighting)
+
+    def doubts(self) -> dict[str, int]:
+        """The sightings that were not believed, and why."""
+        return self._company.doubts()
 
     # ------------------------------------------------------------------------------------------------ what comes out
 
@@ -117,7 +126,7 @@ class Run:
                 self._solve(self._shift)
             else:
                 self._solved = step
-                self._forget(step - STEP)
+                self._forget(step - LATELY)
                 self._solve(step)
                 self._company.forget(self.score)
 
@@ -180,7 +189,8 @@ class Run:
 
     def _sample(self, number: int) -> Floats:
         """The frames from one to the end of its block."""
-        last = (number // BLOCK + 1) * BLOCK
+        block = max(1, min(BLOCK, int(CERTAIN * self._fps)))
+        last = (number // block + 1) * block
         times = np.arange(number, last) / self._fps
         return np.concatenate(
             [curves.sample(times)[:, self._columns[name]] for name, curves in self._curves.items()], 1

@@ -70,15 +70,17 @@ class Utterances:
     def tell(self, score: Score, time: float) -> list[Utterance]:
         """What is new to be told of the lines that sound before `AHEAD` seconds after a time."""
         found = []
-        coming = [line for line in score.lines if line.start <= time + AHEAD and line.end > time]
+        coming = [line for line in score.lines if line.start <= time + AHEAD and line.end > time - AHEAD]
         keys = {_key(line): line for line in coming}
         for key, told in self._told.items():
             if key not in keys and told.start > time and told.cut is None:
                 found.append(_cut(told, told.start))
         for key, line in keys.items():
             known = self._told.get(key)
-            if known is None or known.cut != line.cut:
-                found.append(self._new(line) if known is None else _cut(known, line.cut))
+            if known is None and line.end > time:
+                found.append(self._new(line))
+            elif known is not None and known.cut != line.cut:
+                found.append(_cut(known, line.cut))
         for utterance in found:
             self._told[utterance.face, utterance.start, id(utterance.spoken)] = utterance
         self._told = {key: one for key, one in self._told.items() if one.start + one.spoken.duration > time - AHEAD}

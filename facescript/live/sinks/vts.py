@@ -87,7 +87,7 @@ class VTubeStudioSink(Counting):
             except Refused as fault:
                 self._tell(f"VTube Studio refuses: {fault}")
                 return
-            except (OSError, WebSocketException, ValueError):
+            except (OSError, WebSocketException, ValueError, RecursionError):
                 self._tell(f"VTube Studio is not at {place} yet; it is tried again. Is its plug-in API switched on?")
             await asyncio.sleep(next(waits))
 

@@ -2,33 +2,24 @@
 
 from __future__ import annotations
 
-import errno
+import asyncio
 import json
-import logging
 import socket
 from collections.abc import Callable
 from contextlib import suppress
-from http import HTTPStatus
 from typing import Literal
 
-from websockets.asyncio.server import Server, ServerConnection, broadcast, serve
+from websockets.asyncio.server import ServerConnection, broadcast
 from websockets.exceptions import ConnectionClosed
-from websockets.http11 import Request, Response
 from websockets.protocol import State
 
-from facescript.live.address import Address, AddressFault
-from facescript.live.callers import LOOPBACK, Callers
+from facescript.live.address import Address
 from facescript.live.model import Frame, Layout, Mark, Utterance
 from facescript.live.sinks.counting import Counting
 from facescript.live.sinks.messages import frame_bytes, frame_text, layout_text, mark_text, utterance_text
 from facescript.live.sinks.setting import Setting
 
 Format = Literal["json", "binary"]
-
-MOST_CLIENTS = 256
-
-LARGEST_MESSAGE = 1024
-"""Bytes of what a client may say."""
 
 MOST_SAID = 20
 """What a client may say in its time here; it has one thing to say."""
@@ -39,16 +30,8 @@ SENDING = 1 << 16
 BEHIND = 1 << 18
 """Bytes of marks and lines that wait for a client, at most; then it has to come again."""
 
-PING, LOST, CLOSING = 5.0, 15.0, 1.0
-"""Seconds between two pings, until a client that answers none is taken as gone, and for its last word."""
-
 MADE: dict[Format, Callable[[Frame], str | bytes]] = {"json": frame_text, "binary": frame_bytes}
 PATHS: dict[str, Format] = {"/": "json", "/json": "json", "/binary": "binary"}
-
-QUIET = logging.getLogger("facescript.live.ws")
-"""What a broken client does is counted, not told."""
-QUIET.addHandler(logging.NullHandler())
-QUIET.propagate = False
 
 
 class Client:
@@ -65,30 +48,27 @@ class Client:
 
 
 class WebSocketSink(Counting):
-    """Listens at its address. To a client that does not read no frame is sent until it does again, and then the
-    newest; nobody else waits for it."""
+    """Listens at its address, beside what else of the run is there. To a client that does not read no frame is sent
+    until it does again, and then the newest; nobody else waits for it."""
 
     def __init__(self, address: Address, setting: Setting) -> None:
         super().__init__(address.rate)
-        self._address, self._setting = address, setting
-        self._callers = Callers(setting.token)
+        self._port = setting.ports.at(address, setting.token)
+        for path in PATHS:
+            self._port.connected(path, self._attend)
+        self._begun = asyncio.Event()
         self._clients: set[Client] = set()
         self._newest: Frame | None = None
-        self._server: Server | None = None
         self._counts.update(clients=0, refused=0)
 
     async def open(self, layout: Layout) -> None:
-        host, port = self._address.host, self._address.port
-        if host not in LOOPBACK and not self._setting.token:
-            raise AddressFault("FS983", address=self._address.text)
         self._layout = layout_text(layout)
-        try:
-            self._server = await self._serve("127.0.0.1" if host == "localhost" else host, port)
-        except OSError as fault:
-            raise AddressFault("FS982", address=self._address.text, reason=_reason(fault)) from None
-        self.port: int = next(iter(self._server.sockets)).getsockname()[1]
-        shown = f"[{host}]" if ":" in host else host
-        self._setting.tell(f"The stream is at ws://{shown}:{self.port}/json and /binary.")
+        self._begun.set()
+
+    @property
+    def port(self) -> int:
+        """Where it listens."""
+        return self._port.bound
 
     def frame(self, frame: Frame) -> None:
         if not self.due(frame):
@@ -110,9 +90,7 @@ class WebSocketSink(Counting):
         self._tell(utterance_text(utterance))
 
     async def close(self) -> None:
-        if self._server is not None:
-            self._server.close(code=1001)
-            await self._server.wait_closed()
+        """Nothing: whoever opened the ports of the run closes them."""
 
     def _tell(self, text: str) -> None:
         """Sends to all what is not said twice; who is too far behind for it is sent away."""
@@ -122,40 +100,10 @@ class WebSocketSink(Counting):
                 self._counts["dropped"] += 1
         broadcast((client.connection for client in self._clients), text)
 
-    async def _serve(self, host: str, port: int) -> Server:
-        return await serve(
-            self._attend,
-            host,
-            port,
-            process_request=self._admit,
-            compression=None,
-            max_size=LARGEST_MESSAGE,
-            max_queue=4,
-            ping_interval=PING,
-            ping_timeout=LOST,
-            open_timeout=5.0,
-            close_timeout=CLOSING,
-            server_header=None,
-            logger=QUIET,
-        )
-
-    def _admit(self, connection: ServerConnection, request: Request) -> Response | None:
-        """None for who may come in; else the answer."""
-        status = None
-        if not self._callers.welcome(request):
-            status = HTTPStatus.FORBIDDEN
-        elif request.path.partition("?")[0] not in PATHS:
-            status = HTTPStatus.NOT_FOUND
-        elif len(self._clients) >= MOST_CLIENTS:
-            status = HTTPStatus.SERVICE_UNAVAILABLE
-        if status is None:
-            return None
-        self._counts["refused"] += 1
-        return connection.respond(status, f"{status.phrase}\n")
-
     async def _attend(self, connection: ServerConnection) -> None:
         """One client, from its first word to its last."""
         assert connection.request is not None
+        await self._begun.wait()
         client = Client(connection, PATHS[connection.request.path.partition("?")[0]])
         with suppress(OSError):
             connection.transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SENDING)
@@ -199,9 +147,3 @@ def _format(said: str | bytes) -> Format | None:
         return None
     asked = message.get("format") if isinstance(message, dict) else None
     return asked if asked in ("json", "binary") else None
-
-
-def _reason(fault: OSError) -> str:
-    known = {errno.EADDRINUSE: "another program listens there", errno.EACCES: "the system keeps that port for itself"}
-    known[errno.EADDRNOTAVAIL] = "this machine has no such address"
-    return known.get(fault.errno or 0, (fault.strerror or "it does not work").lower())

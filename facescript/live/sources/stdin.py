@@ -14,8 +14,8 @@ from facescript.live.model import Source, Teller
 from facescript.live.sources.intake import Intake
 from facescript.live.sources.setting import Setting
 
-PIECE = 65_536
-"""Bytes that are read at once."""
+PIECE = 4096
+"""Bytes that are read at once: while they are, no frame is made."""
 
 MOST_SHOWN = 20
 """Lines that are none of which it is told why."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
 
@@ -14,7 +14,7 @@ from facescript.ir.play import Face
 from facescript.ir.values import AtCamera
 from facescript.motion.gaze.curves import still
 from facescript.motion.gaze.live import LiveFollowing, followed
-from facescript.motion.gaze.pursuit import AFTER, Following, Spell, follow
+from facescript.motion.gaze.pursuit import AFTER, STEP, Following, Spell, follow
 from facescript.space.live import LiveTarget
 from facescript.space.plan import GazePlan
 from facescript.space.reach import head_goal, within
@@ -75,8 +75,10 @@ class Bound:
         return Following(still(place), [], still(self._head_goal(place)), still([1.0 / sight.distance]))
 
     def _followed_live(self, target: LiveTarget, spell: Spell) -> LiveFollowing:
-        """What was worked out for the same shift, by a performance that knew less, counts on."""
+        """What was worked out for the same shift, by a performance that knew less, counts on. The head is taken
+        elsewhere a step later: the course through its steps turns a step before the first that differs."""
         plan, trail = self.plan, target.trail
+        spell = replace(spell, head_until=spell.head_until + STEP)
         head = plan.parts, plan.head_onset, plan.head_share, plan.head_from
         key = (self.face.name, self.scene, *head, spell.start, spell.leave, spell.landed, spell.turned)
         return followed(target, key, spell, lambda: LiveFollowing(trail, self.sight, self._head_goal, spell))

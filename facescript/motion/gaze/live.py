@@ -87,7 +87,7 @@ class LiveFollowing:
         if spell != before:
             changed = min(spell.eyes_until, spell.head_until, before.eyes_until, before.head_until)
             self._back_to(int(max(0.0, changed - self.start) / STEP))
-            self.pursuit.spell = spell
+            self.pursuit.taken(spell)
 
     def eyes(self, times: Floats) -> Floats:
         """Yaw and pitch of the line of sight: array[n, 2]."""
@@ -175,6 +175,7 @@ class LiveFollowing:
             self._marks.pop()
         self._count, state = self._marks[-1]
         self.pursuit.turn_to(state)
+        self.pursuit.taken(self.pursuit.spell)
         self._firm = min(self._firm, self._count)
         time = self.start + self._count * STEP
         self._saccades = self._saccades[: bisect_left(self._saccades, time, key=lambda saccade: saccade[0])]

@@ -194,10 +194,15 @@ class Pursuit:
         eyes = replace(self.eyes, saccades=self.eyes.saccades[:]) if self.eyes else None
         return State(eyes, self.look, self.head, self.near)
 
+    def taken(self, spell: Spell) -> None:
+        """Eyes and head are taken elsewhere at other times from the next step on."""
+        self.spell = spell
+        if self.eyes is not None:
+            self.eyes.until = spell.eyes_until
+
     def turn_to(self, state: State) -> None:
         """Be as at a step before."""
-        until = self.spell.eyes_until
-        self.eyes = replace(state.eyes, saccades=state.eyes.saccades[:], until=until) if state.eyes else None
+        self.eyes = replace(state.eyes, saccades=state.eyes.saccades[:]) if state.eyes else None
         self.look, self.head, self.near = state.look, state.head, state.near
 
     def run(self, step: int, count: int) -> Floats:

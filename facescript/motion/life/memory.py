@@ -37,7 +37,7 @@ class _Renewing:
         return past, max(rest, self.closed.last_end(time))
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Memory:
     """One face's in a scene: nothing it does before `since` (s) is asked for, and `earlier` is what it did up to then.
     While a life is worked out its behaviours find their states there, and note what they come to."""

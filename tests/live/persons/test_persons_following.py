@@ -27,14 +27,16 @@ def away_for_a_while(time: float) -> tuple[float, float] | None:
     return None if 4.0 < time < 6.0 else (30.0 if time < 5.0 else -30.0, 120.0)
 
 
-def test_a_run_is_the_film_of_all_that_was_seen() -> None:
+@pytest.mark.parametrize("peeks", [0.0, 0.4])
+def test_a_run_is_the_film_of_all_that_was_seen(peeks: float) -> None:
     looks = [
         request(0, AtTarget(VISITOR), 1.0),
         request(1, AtCamera(), 3.01, released=3.6),
         request(2, AtTarget(VISITOR), 5.2, GazeManner("head then eyes")),
         request(3, AtTarget(VISITOR), 6.13, GazeManner("eyes only"), glance=True, released=7.0),
+        request(4, AtCamera(), 7.42, GazeManner("head only")),
     ]
-    watcher = Watcher(looks)
+    watcher = Watcher(looks, peeks=peeks)
     seen = watch(Camera().sightings({VISITOR: swaying}, 8.0), 8.0, watcher)
     film = looked(watcher.afresh(), seen.times)
     shown = np.stack([seen.times, seen.gaze, seen.pitch, seen.head], axis=1)

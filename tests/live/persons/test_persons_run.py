@@ -91,6 +91,18 @@ def test_one_is_followed_as_before_whatever_else_happens_meanwhile() -> None:
         assert np.abs(among[name] - alone[name]).max() < 1e-9
 
 
+def test_one_who_was_followed_for_long_is_let_go_of_and_found() -> None:
+    """What was planned when the look began is long past by then, and not planned again."""
+
+    def gone(time: float) -> tuple[float, float] | None:
+        return None if 13.0 < time < 16.0 else (40.0, 120.0)
+
+    text, comes = FOLLOWS.partition("when person nearest")[0], arrives(0.5, "person 1")
+    seen = Live(text, Camera().sightings({"person 1": gone}, 18.0), [comes]).watch(18.0)
+    yaw = [seen["gaze.yaw"][int(time * FPS)] for time in (12.9, 13.9, 15.0, 17.5)]
+    assert yaw == pytest.approx([18.4, 18.4, 0.0, 18.4], abs=0.8)
+
+
 def test_who_comes_nearer_is_looked_at() -> None:
     people: People = {
         "person 1": lambda _: (-40.0, 150.0),

@@ -79,13 +79,17 @@ class Watched:
 
 
 class Watcher:
-    """One face and the `people` that it sees. `requests` are its looks, at persons by their names."""
+    """One face and the `people` that it sees. `requests` are its looks, at persons by their names; none is foreseen.
+    Before each frame it `peeks` so far ahead, s."""
 
-    def __init__(self, requests: Sequence[GazeRequest] | None = None, people: Sequence[str] = (VISITOR,)) -> None:
+    def __init__(
+        self, requests: Sequence[GazeRequest] | None = None, people: Sequence[str] = (VISITOR,), peeks: float = 0.0
+    ) -> None:
         self.persons = Persons()
         for person in people:
             self.persons.target(person)
         self.requests = [request(0, AtTarget(VISITOR), 1.0)] if requests is None else requests
+        self.peeks = peeks
         self._version, self._next = -1, 0.0
         self._track: GazeTrack
 
@@ -103,14 +107,18 @@ class Watcher:
             if self._version != self.persons.version or self._next <= time:
                 self._plan(time)
                 block = []
+            if self.peeks:
+                looked(self._track, np.array([time + self.peeks]))
             if not block:
                 block = list(looked(self._track, np.arange(number, number + ahead) / fps))[::-1]
             yield block.pop()
 
     def _plan(self, time: float) -> None:
-        """Plan all looks by what is known now; those at persons once more when they begin."""
-        known = score(self.persons.targets, self.requests, face(), film(), 1e6)
-        self._version, self._next = self.persons.version, next_shift(known, time)
+        """Plan by what is known now; what hangs on persons once more when it begins, and no look before it does."""
+        begun = [one for one in self.requests if one.onset <= time]
+        known = score(self.persons.targets, begun, face(), film(), 1e6)
+        onsets = (one.onset for one in self.requests if one.onset > time)
+        self._version, self._next = self.persons.version, min([next_shift(known, time), *onsets])
         self._track = GazeTrack(known, face())
 
     def afresh(self) -> GazeTrack:

@@ -18,7 +18,10 @@ const sound = voice(link, time, (heard) => { one("hear").hidden = heard; });
 
 let came = 0, drew = null, connected = false;
 
-link.on("state", ({ state }) => { connected = state === "connected", came = performance.now(); });
+link.on("state", ({ state }) => {
+  connected = state === "connected";
+  if (connected) came = performance.now();
+});
 link.on("figure", ({ title, pace }) => {
   time.begin(pace);
   drew = null;

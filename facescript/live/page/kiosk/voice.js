@@ -40,6 +40,8 @@ export function voice(link, time, changed) {
   function follow() {
     time.wait(context.outputLatency || 0);
     if (context.state !== "running" || !time.ready) return;
+    const now = performance.now();
+    time.hold([...lines.values()].some((line) => line.heard < now && now < line.heard + 1000 * (line.duration - line.into)));
     for (const line of lines.values()) if (line.buffer && !line.sounds) begin(line);
   }
 
@@ -47,7 +49,7 @@ export function voice(link, time, changed) {
     const at = played(time.when(line.start)), from = Math.max(at, context.currentTime);
     const late = from - at, into = Math.max(0, late - LATEST);
     const source = context.createBufferSource(), gain = context.createGain();
-    Object.assign(line, { sounds: { source, gain }, late, heard: performance.now() + 1000 * (from - played(performance.now())) });
+    Object.assign(line, { sounds: { source, gain }, into, heard: performance.now() + 1000 * (from - played(performance.now())) });
     time.late(late);
     if (into >= line.buffer.duration) return;
     source.buffer = line.buffer;
