@@ -93,7 +93,7 @@ def run(options: argparse.Namespace) -> int:
         return refuse("FS901", name=options.script, reason=fault.args[0])
     read = ReadWorld(world.root)
     play, told = open_play(source, read, orders.chosen)
-    voice = open_studio(world)
+    voice = open_studio(world, endless=True)
     if play is not None:
         check(play, voice, told)
     code = show(told, hints=False)
