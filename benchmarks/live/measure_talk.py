@@ -82,7 +82,7 @@ async def _told(words: int) -> list[float]:
     voice, clock = KeptVoice(Fresh()), WallClock()
     prompting = Prompting(lambda: prompter_of(source, world, settings), ("miko",))
     gate = Gate(clock, FPS, waits(play), print)
-    talk, ears = Conversation(prompting, voice), Ears(clock)
+    talk, ears = Conversation(prompting, voice, FPS), Ears(clock)
     assert prompting.prompter.play is not None
     loop = Loop(Run(play, voice, FPS, prompting), clock, gate, [ears, talk])
     tasks = [asyncio.create_task(loop.play()), asyncio.create_task(talk.run(gate))]
