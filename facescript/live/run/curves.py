@@ -21,23 +21,33 @@ class FaceCurves:
         self.motion = motion
         self._seams: list[Seam] = []
         self._joined = 0.0
+        self._left: tuple[float, Floats] | None = None
 
     def turn(self, time: float, motion: FaceMotion) -> None:
         """Move by another motion from `time` (s) on; nothing before it is asked for any more."""
         before = nextafter(time, -inf)
+        self._go_over(np.empty(0))
         self._seams = [one for one in self._seams if one.time < time < one.end]
         self._join_scenes(before)
-        old, new = (flat(one.asked(np.array([before])))[:, 0] for one in (self.motion, motion))
-        self._join(time, old, new)
+        self._left = time, self._values(np.array([before]))[:, 0]
         self.motion, self._joined = motion, before
 
     def sample(self, times: Floats) -> Frames:
         """Poses at `times` (s, sorted, not before the last turn): array[n, channel]."""
+        values = self._go_over(times)
         self._join_scenes(float(times[-1]))
-        values = self._values(times)
         for one in self._seams:
             one.onto(values, times)
         return compose(asked_of(values))
+
+    def _go_over(self, times: Floats) -> Floats:
+        """What the motion asks at `times`, array[value, time], and by the way how far it is from the one before it."""
+        if self._left is None:
+            return self._values(times) if len(times) else np.empty((0, 0))
+        (time, left), self._left = self._left, None
+        values = self._values(np.concatenate([[nextafter(time, -inf)], times]))
+        self._join(time, left, values[:, 0])
+        return np.ascontiguousarray(values[:, 1:])
 
     def _values(self, times: Floats) -> Floats:
         return flat(self.motion.asked(times))

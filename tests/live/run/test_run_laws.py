@@ -9,7 +9,7 @@ from running import FPS, HEAD, Whole, happenings, rows, running, scripts, speeds
 
 from facescript.live.model import Happening
 
-few = settings(max_examples=3, deadline=None)
+few = settings(max_examples=2, deadline=None)
 
 HEAD_TOP, GAZE_TOP = 320.0, 750.0
 """Degrees a second that no head and no gaze goes faster."""
@@ -37,7 +37,7 @@ def test_no_channel_jumps(text: str, events: list[Happening]) -> None:
 
 
 @few
-@given(scripts(), happenings(6, 9.0))
+@given(scripts(), happenings(5, 9.0))
 def test_what_is_forgotten_is_not_missed(text: str, events: list[Happening]) -> None:
     """Sums are made in another order, so it is the same but for the last digits."""
     values = rows(running(text, events, fps=10.0), 10.0)
