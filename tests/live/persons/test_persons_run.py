@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from watching import FPS, Camera, Live, People, Truth, lag, true_yaw
 
-from facescript.live.model import Happening
+from facescript.ir.values import Point
+from facescript.live.model import Happening, Sighting
 
 HEAD = """film 640x360, seed 3, screen none, 60s long
 face ada = woman
@@ -24,7 +25,7 @@ FOLLOWS = (
 when person arrives as guest:
     look at guest
 when key "s":
-    scan people, 600ms each, eyes only
+    scan people nearest first, 600ms each, eyes only
 when key "h":
     scan people, 600ms each
 when key "q":
@@ -114,6 +115,17 @@ def test_who_comes_nearer_is_looked_at() -> None:
     assert yaw[int(2.0 * FPS)] == pytest.approx(-14.9, abs=1.5)
     assert yaw[int(5.5 * FPS)] == pytest.approx(24.0, abs=2.5)
     assert np.count_nonzero(np.abs(np.diff(yaw)) * FPS > 100.0) < 30
+
+
+def test_no_person_takes_the_place_of_a_crowd() -> None:
+    text = FOLLOWS.partition("when person nearest")[0].replace(
+        "when person", "target crowd of (0cm 0cm 1m)\nwhen person"
+    )
+    told = [(0.1, Sighting(name, 0.1, Point(40.0, 0.0, 120.0))) for name in ("crowd", "people")]
+    live = Live(text, told, [arrives(0.2, "people"), arrives(0.3, "crowd"), key(0.5, "s")])
+    seen = live.watch(1.5)
+    assert live.run.doubts() == {"named as a crowd is": 4}
+    assert np.abs(seen["gaze.yaw"]).max() < 1.0
 
 
 def test_a_run_in_which_persons_come_and_go_is_bounded_and_never_jumps() -> None:
