@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import ceil, floor, hypot, inf
 
+from facescript.ir.play import Crowd
 from facescript.ir.values import AtTarget
 from facescript.live.model import Happening, Sighting
 from facescript.live.persons.ahead import next_shift
@@ -12,6 +13,7 @@ from facescript.live.persons.persons import Persons
 from facescript.schedule.onwards import Onwards
 from facescript.schedule.score import Score
 from facescript.space.live import LiveTarget
+from facescript.space.room import PEOPLE
 
 STEP = 0.05
 """Seconds between two looks at who is nearest."""
@@ -27,13 +29,22 @@ class Company:
         self._nearest = Nearest()
         self._asked = any(reaction.event.kind == "nearest" for reaction in onwards.play.reactions)
         self._looked = 0.0
+        self._strange = 0
 
     def see(self, sighting: Sighting) -> None:
-        self._persons.see(sighting)
+        if self.takes(sighting.person):
+            self._persons.see(sighting)
 
     def doubts(self) -> dict[str, int]:
         """The sightings that were not believed, and why."""
-        return self._persons.counts()
+        strange = {"named as a crowd is": self._strange} if self._strange else {}
+        return self._persons.counts() | strange
+
+    def takes(self, person: str | None) -> bool:
+        """Whether a name can be a person's: no crowd's is."""
+        crowd = person == PEOPLE or (person and isinstance(self._onwards.room.targets.get(person), Crowd))
+        self._strange += bool(crowd)
+        return not crowd
 
     def hear(self, event: Happening) -> None:
         """Somebody arrives or leaves."""

@@ -78,7 +78,10 @@ class Run:
     # ------------------------------------------------------------------------------------------------ what goes in
 
     def hear(self, event: Happening) -> None:
-        """Something happens at a time of the run, s; before the last frame's time is at it."""
+        """Something happens at a time of the run, s; before the last frame's time is at it. No person bears the name of
+        a crowd."""
+        if not self._company.takes(event.person):
+            return
         event = replace(event, time=max(event.time, self._time))
         self._waiting.append(event)
         self._waiting.sort(key=lambda one: one.time)

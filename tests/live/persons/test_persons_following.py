@@ -76,9 +76,9 @@ def test_following_for_long_keeps_no_more_than_for_a_while(monkeypatch: pytest.M
     monkeypatch.setattr(live, "KEPT", 600)
     monkeypatch.setattr(trail, "KEPT", 3.0)
     watcher, sizes = Watcher(), []
-    told = Camera().sightings({VISITOR: swaying}, 30.0)
-    for number, _ in enumerate(watcher.frames(told, 30.0, 10.0)):
-        if number % 50 == 49:
+    told = Camera().sightings({VISITOR: swaying}, 22.0)
+    for number, _ in enumerate(watcher.frames(told, 22.0, 10.0)):
+        if number % 40 == 39:
             (target,) = watcher.persons.targets
             (pursuit,) = target.pursuits.values()
             sizes.append((len(target.trail.legs), len(pursuit._rows), len(pursuit._saccades), len(pursuit._marks)))

@@ -29,7 +29,7 @@ def values(trail: Trail, times: np.ndarray) -> np.ndarray:
     return np.array([(point.x, point.y, point.z) for point in map(trail.at, times.tolist())])
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(learned)
 def test_what_was_said_of_a_time_is_said_for_ever(what: list) -> None:
     trail, now, said = Trail(), 1.0, []
@@ -44,7 +44,7 @@ def test_what_was_said_of_a_time_is_said_for_ever(what: list) -> None:
         assert [trail.gap(time) is None for time in times.tolist()] == seen
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(learned)
 def test_nothing_jumps_but_where_she_was_lost(what: list) -> None:
     trail, now = Trail(), 1.0

@@ -80,7 +80,7 @@ class Watched:
 
 class Watcher:
     """One face and the `people` that it sees. `requests` are its looks, at persons by their names; none is foreseen.
-    Before each frame it `peeks` so far ahead, s."""
+    Every few frames it `peeks` so far ahead, s."""
 
     def __init__(
         self, requests: Sequence[GazeRequest] | None = None, people: Sequence[str] = (VISITOR,), peeks: float = 0.0
@@ -107,7 +107,7 @@ class Watcher:
             if self._version != self.persons.version or self._next <= time:
                 self._plan(time)
                 block = []
-            if self.peeks:
+            if self.peeks and number % 4 == 0:
                 looked(self._track, np.array([time + self.peeks]))
             if not block:
                 block = list(looked(self._track, np.arange(number, number + ahead) / fps))[::-1]
