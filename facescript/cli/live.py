@@ -72,7 +72,8 @@ class Orders:
     @property
     def hasty(self) -> bool:
         """Whether the run need not keep to this machine's clock: a replay into files."""
-        return self.recorded is not None and all(sink.startswith(FILES) for sink in self.sinks)
+        files = self.options.page is None and all(sink.startswith(FILES) for sink in self.sinks)
+        return self.recorded is not None and files
 
     @property
     def sinks(self) -> list[str]:

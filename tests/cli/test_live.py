@@ -9,12 +9,17 @@ import re
 import signal
 import subprocess
 import sys
+from math import inf
 from pathlib import Path
 from urllib.request import urlopen
 
 import pytest
 
+from facescript.cli.arguments import parser
+from facescript.cli.live import Orders
 from facescript.cli.main import main
+from facescript.compile import Settings
+from facescript.live.log import Head, Recorded
 
 Captured = pytest.CaptureFixture[str]
 
@@ -97,6 +102,22 @@ def test_a_log_of_another_script_is_refused(capsys: Captured) -> None:
     Path("run.log").write_text(log.splitlines()[0] + '\n{"frame": 1, "time": 0.01, "told": "nod"}\n', "utf-8")
     assert main(["build", "uses.face", "--events", "run.log", "-o", "film.csv"]) == 2
     assert "FS973" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "hasty"),
+    [
+        ([], True),
+        (["--to", "csv:again.csv", "--to", "-"], True),
+        (["--page"], False),
+        (["--to", "csv:again.csv", "--page"], False),
+        (["--to", "csv:again.csv", "--to", "ws://127.0.0.1:8765"], False),
+    ],
+)
+def test_a_replay_that_somebody_watches_takes_its_time(words: list[str], hasty: bool) -> None:
+    options = parser("1").parse_args(["live", "kiosk.face", "--replay", "run.log", *words])
+    recorded = Recorded(Path("run.log"), Head("kiosk.face", "", 1, 60.0, "1"), 60)
+    assert Orders(options, 60.0, inf, "", Settings(), recorded).hasty is hasty
 
 
 def test_onsets_are_the_plan_and_what_became_of_it() -> None:
