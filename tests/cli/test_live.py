@@ -158,6 +158,7 @@ def test_a_trial_sets_what_its_columns_name() -> None:
         (["--log", "missing/run.log"], "FS903"),
         (["--trials", "missing.csv", "--trial", "1"], "FS901"),
         (["--replay", "missing.log"], "FS973"),
+        (["--replay", "run.log", "--log", "./run.log"], "FS978"),
     ],
 )
 def test_what_cannot_be_is_told(words: list[str], code: str, capsys: Captured) -> None:
