@@ -132,26 +132,17 @@ def test_onsets_are_the_plan_and_what_became_of_it() -> None:
 
 
 def test_a_trial_sets_what_its_columns_name() -> None:
-    Path("trials.csv").write_text("degree\n10%\n90%\n", "utf-8")
-    Path("unit.face").write_text("let degree = 50%\nshow AU12 degree over 0ms\n", "utf-8")
-    found = []
-    for trial in ("1", "2"):
-        words = ["--trials", "trials.csv", "--trial", trial, "--to", "csv:run.csv", "--log", "run.log", "--for", "0.1"]
-        assert main(["live", "unit.face", *words]) == 0
-        assert json.loads(Path("run.log").read_text("utf-8").splitlines()[0])["set"] == {
-            "degree": f"{trial}0%".replace("20", "90")
-        }
-        rows = rows_of("run.csv")
-        found.append(float(rows[-1]["cheek.lower.left"]))
-    assert found[0] < 0.2 < 0.7 < found[1]
+    Path("trials.csv").write_text("degree,rise\n10%,\n90%,\n", "utf-8")
+    Path("unit.face").write_text("let degree = 50%\nlet rise = 0ms\nshow AU12 degree over rise\n", "utf-8")
+    words = ["--trials", "trials.csv", "--trial", "2", "--to", "csv:run.csv", "--log", "run.log", "--for", "0.1"]
+    assert main(["live", "unit.face", *words]) == 0
+    assert json.loads(Path("run.log").read_text("utf-8").splitlines()[0])["set"] == {"degree": "90%"}
+    assert float(rows_of("run.csv")[-1]["cheek.lower.left"]) > 0.7
 
 
 @pytest.mark.parametrize(
     ("words", "code"),
     [
-        (["--from", "ws://"], "FS981"),
-        (["--from", "stdin:x"], "FS981"),
-        (["--from", "lsl://it's"], "FS981"),
         (["--from", "ws://0.0.0.0:8080"], "FS983"),
         (["--for", "soon"], "FS904"),
         (["--fps", "20000"], "FS904"),
