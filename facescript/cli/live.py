@@ -72,7 +72,8 @@ class Orders:
     @property
     def hasty(self) -> bool:
         """Whether the run need not keep to this machine's clock: a replay into files."""
-        return self.recorded is not None and all(sink.startswith(FILES) for sink in self.sinks)
+        files = self.options.page is None and all(sink.startswith(FILES) for sink in self.sinks)
+        return self.recorded is not None and files
 
     @property
     def sinks(self) -> list[str]:
@@ -135,6 +136,8 @@ def _recorded(options: argparse.Namespace) -> Recorded | None:
     for option in ("--from", "--set", "--seed", "--fps", "--trials", "--trial"):
         if getattr(options, {"--from": "sources"}.get(option, option[2:])):
             raise OptionFault("FS978", option=option, other="`--replay`, whose log has it")
+    if options.log is not None and Path(options.log).resolve() == Path(options.replay).resolve():
+        raise OptionFault("FS978", option=f"--log {options.log}", other="the `--replay` of that log: it is still read")
     try:
         return open_log(Path(options.replay))
     except LogFault as fault:

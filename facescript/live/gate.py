@@ -37,6 +37,9 @@ STRANGE, EARLY, SAME = "no reaction waits for it", "its time is too far ahead", 
 MANY, CROWDED = "too many events", "too many persons"
 """Why an event is not taken."""
 
+OPPOSITE = {"arrives": "leaves", "leaves": "arrives"}
+"""Events between which the same event is another: who comes, goes and comes again is there."""
+
 Key = tuple[str, str, str | None]
 
 
@@ -151,6 +154,7 @@ class Gate:
         if happening.person is not None and not self._comes(happening, now):
             return CROWDED
         self._due[name] = due
+        self._due.pop((OPPOSITE.get(happening.kind, ""), "", happening.person), None)
         self._wait(due, happening)
         return None
 

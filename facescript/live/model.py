@@ -114,7 +114,7 @@ class Teller(Protocol):
 
 
 class Source(Protocol):
-    """Where events come from. A time before the run's beginning, or after now, is taken as now."""
+    """Where events come from. A time before now is taken as now; an event of a time to come waits at the gate."""
 
     async def run(self, teller: Teller) -> None:
         """Tells until it is cancelled. What is not there yet (a camera, a broker) is tried again. Raises `OSError` or

@@ -9,7 +9,7 @@ import shutil
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import groupby, pairwise, takewhile
 from pathlib import Path
 
 import pytest
@@ -23,7 +23,8 @@ from facescript.text import Source
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
-PAGES = [DOCS / "tutorial.md", *sorted(DOCS.glob("howto/*.md")), DOCS / "backends.md", DOCS / "trouble.md"]
+CHAPTERS = [DOCS / f"{name}.md" for name in ("backends", "live", "trouble")]
+PAGES = [DOCS / "tutorial.md", *sorted(DOCS.glob("howto/*.md")), *CHAPTERS]
 
 FENCE = re.compile(r"^```([\w-]*)([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NAMED = re.compile(r"# ([\w-]+\.face)\b")
@@ -63,9 +64,9 @@ def commands(text: str) -> Iterator[Run]:
     """The commands in a block that can be followed here, each behind `$`, with the lines that stand below it."""
     for part in re.split(r"^\$ ", text.replace("\\\n", ""), flags=re.MULTILINE)[1:]:
         command, *answer = part.splitlines()
-        for piece in command.split(" | "):
-            words = shlex.split(piece.partition(" > ")[0])
-            if words[:1] in (["facescript"], ["python"]):
+        for pipe, piece in groupby(shlex.split(command), lambda word: word == "|"):
+            words = list(takewhile(lambda word: word != ">", piece))
+            if not pipe and words[:1] in (["facescript"], ["python"]):
                 yield Run(words, answer)
 
 

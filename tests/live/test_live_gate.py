@@ -63,6 +63,13 @@ async def test_the_same_event_of_a_frame_is_one() -> None:
     assert door.heard("no") is None and len(await door.next()) == 1
 
 
+async def test_who_comes_again_within_a_frame_is_there() -> None:
+    door = Door()
+    for kind in ("arrives", "arrives", "leaves", "arrives"):
+        assert door.gate.event(Happening(kind, 0.0, person="ann")) is None
+    assert [item.kind for item in await door.next() if isinstance(item, Happening)] == ["arrives", "leaves", "arrives"]
+
+
 async def test_what_nothing_waits_for_is_told_once() -> None:
     door = Door()
     assert [door.heard("nobody") for _ in range(3)] == ["no reaction waits for it"] * 3

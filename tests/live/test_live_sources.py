@@ -211,6 +211,15 @@ async def test_beyond_this_machine_there_must_be_a_token(scheme: str, host: str)
     assert told.value.code == "FS983"
 
 
+@pytest.mark.parametrize(
+    "address", ["ws://", "ws://127.0.0.1", "stdin:x", "lsl://it's", "lsl://", "http://127.0.0.1:8080/x"]
+)
+def test_an_address_that_is_none_is_told(address: str) -> None:
+    with pytest.raises(AddressFault) as told:
+        open_source(address, Listening().setting)
+    assert told.value.code == "FS981"
+
+
 async def test_a_port_is_shared_and_one_that_is_taken_is_told() -> None:
     with socket.socket() as free:
         port = taken_by(free)

@@ -201,6 +201,5 @@ class Run:
         block = max(1, min(BLOCK, int(CERTAIN * self._fps)))
         last = (number // block + 1) * block
         times = np.arange(number, last) / self._fps
-        return np.concatenate(
-            [curves.sample(times)[:, self._columns[name]] for name, curves in self._curves.items()], 1
-        )
+        found = [curves.sample(times)[:, self._columns[name]] for name, curves in self._curves.items()]
+        return np.concatenate(found, axis=1) if found else np.empty((len(times), 0))
