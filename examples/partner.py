@@ -32,14 +32,15 @@ async def answer(text: str) -> AsyncIterator[str]:
 
 async def main(address: str) -> None:
     async with connect(address) as talk:
-        face = talk.face()
+        face, lines = talk.face(), []
         while text := (await asyncio.to_thread(sys.stdin.readline)).strip():
             if await face.speaking():
                 await face.interrupt()
             await face.do("look away")
-            line = await face.say_stream(answer(text))
+            lines.append(await face.say_stream(answer(text)))
             await face.look("camera")
             await face.show("smile 40%", for_=2)
+        for line in lines:
             print(await line.over(), flush=True)
 
 

@@ -93,7 +93,7 @@ def run(options: argparse.Namespace) -> int:
         return refuse("FS901", name=options.script, reason=fault.args[0])
     read = ReadWorld(world.root)
     play, told = open_play(source, read, orders.chosen)
-    voice = open_studio(world)
+    voice = open_studio(world, endless=True)
     if play is not None:
         check(play, voice, told)
     code = show(told, hints=False)
@@ -191,7 +191,7 @@ async def _run(
     sinks = {address: open_sink(address, Going(orders.token, orders.hasty, tell, ports)) for address in orders.sinks}
     pages = _pages(orders, play, world, performer)
     sinks |= pages
-    talk, own = Conversation(prompting, voice), OwnVoice()
+    talk, own = Conversation(prompting, voice, orders.fps), OwnVoice()
     loop = Loop(performer, clock, feed, [*sinks.values(), own, talk], keepers)
     evening = Show(loop, gate, sinks, ports, performer.doubts)
     coming = Coming(play, world, clock, ports, orders.token, tell, evening.status, talk, own)

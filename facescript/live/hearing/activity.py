@@ -29,8 +29,10 @@ HANG = 25
 """Frames of quiet after which she has done: longer than a plosive's closure, shorter than a pause between sentences."""
 
 FALLS, LEARNS, HEALS = 0.2, 0.02, 0.002
-"""Shares of the way to a frame that the noise's estimate goes: downwards, upwards in quiet, upwards in speech. What
-sounds on for half a minute is noise."""
+"""Shares of the way to a frame that the noise's estimate goes: downwards, upwards in quiet, upwards in speech."""
+
+BREATHLESS = 6 * RATE
+"""Samples after which what sounds on without a pause is thought to be noise, and learned as such."""
 
 FAINTEST = 4.0
 """Natural log power of a band, of 16-bit samples, that the noise is never thought to stay below."""
@@ -56,7 +58,7 @@ class Activity:
         self._noise: Floats | None = None
         self._bands: Floats | None = None
         self._loud: deque[bool] = deque(maxlen=OF)
-        self._last = 0
+        self._last = self._since = 0
         self.speaking = False
 
     def take(self, samples: Samples) -> Iterator[Turn]:
@@ -86,7 +88,7 @@ class Activity:
         if level > HOLDS:
             self._last = self._at
         if not self.speaking and sum(self._loud) >= RISE:
-            self.speaking = True
+            self.speaking, self._since = True, self._at
             return Turn(True, self._at - (len(self._loud) - 1) * HOP)
         if self.speaking and self._at - self._last >= HANG * HOP:
             self._hush()
@@ -100,7 +102,7 @@ class Activity:
         self._bands = self._bands + np.float32(SMOOTH) * (bands - self._bands)
         above = self._bands - self._noise
         best = np.partition(above, len(above) * 2 // 3)[len(above) * 2 // 3 :]
-        up = HEALS if self.speaking else LEARNS
+        up = HEALS if self.speaking and self._at - self._since < BREATHLESS else LEARNS
         step = np.where(above < 0, np.float32(FALLS), np.float32(up)) * above
         self._noise = np.maximum(self._noise + step, np.float32(FAINTEST))
         return float(best.mean())

@@ -8,16 +8,13 @@ from typing import Protocol
 
 import numpy as np
 
-from facescript.live.hearing.activity import HANG, HOP, RATE, Activity, Samples
+from facescript.live.hearing.activity import BREATHLESS, HANG, HOP, RATE, Activity, Samples
 
 BEFORE = round(0.2 * RATE)
 """Samples before the first loud frame that belong to speech as well: its first sound may be faint."""
 
 BEHIND = round(0.1 * RATE)
 """Samples behind the last loud frame that are listened to."""
-
-LONGEST = 6 * RATE
-"""Samples of one utterance: what is longer is no phrase, and is not listened to any more."""
 
 
 DEAF = 1 << 31
@@ -91,7 +88,7 @@ class Ear:
         """Hand on what is sure to belong to the utterance; the rest may be the quiet behind it."""
         if self._begun is None:
             return
-        if self._end - self._begun > LONGEST:
+        if self._end - self._begun > BREATHLESS:
             self.counts["long"] += 1
             self.recogniser.end()
             self._begun = None

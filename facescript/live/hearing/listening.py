@@ -18,7 +18,7 @@ from facescript.live.hearing.ear import DEAF
 from facescript.live.hearing.phrases import awaited, is_english, phrases
 from facescript.live.model import Happening, Teller
 
-LEAST = 0.5
+LEAST = 0.7
 """The confidence at which a phrase is told, where nothing is said."""
 
 BEHIND = 4 * RATE
@@ -98,7 +98,7 @@ class Listening:
             self._process, self._ready = None, False
             with suppress(ProcessLookupError):
                 process.kill()
-            await process.wait()
+            await process.communicate()  # its pipes are closed with it
 
     def _heard(self, message: dict[str, dict[str, object]], teller: Teller) -> None:
         if "ready" in message:
@@ -126,7 +126,7 @@ def open_listening(
 
 def _manner(address: str, options: str) -> Manner:
     found = dict(part.partition("=")[::2] for part in options.split("&") if part)
-    example = f"{address.partition(':')[0]}:?least=0.6&duplex=full"
+    example = f"{address.partition(':')[0]}:?least=0.8&duplex=full"
     with suppress(ValueError):
         least = float(found.pop("least", LEAST))
         duplex = found.pop("duplex", "half")

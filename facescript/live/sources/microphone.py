@@ -48,11 +48,16 @@ class Microphone:
             while True:
                 await self._taken_up()
                 await asyncio.sleep(AGAIN)
-                with suppress(self._library.PortAudioError):  # it knows the devices that were there when it began
-                    self._library._terminate()
-                    self._library._initialize()
+                await asyncio.to_thread(self._look_again)
         finally:
             listening.cancel()
+            await asyncio.gather(listening, return_exceptions=True)
+
+    def _look_again(self) -> None:
+        """The library knows the devices that were there when it began."""
+        with suppress(self._library.PortAudioError):
+            self._library._terminate()
+            self._library._initialize()
 
     def counts(self) -> dict[str, int]:
         return {**self._counts, **self._listening.counts()}
@@ -60,7 +65,7 @@ class Microphone:
     async def _taken_up(self) -> None:
         """One device, until it is gone."""
         try:
-            stream = self._open()
+            stream = await asyncio.to_thread(self._open, asyncio.get_running_loop())
         except (self._library.PortAudioError, ValueError) as fault:
             if not self._told:
                 self._setting.tell(f"There is no microphone that can be used ({fault}); it is looked for again.")
@@ -76,18 +81,18 @@ class Microphone:
             self._told = True
         finally:
             with suppress(self._library.PortAudioError):
-                stream.close()
+                await asyncio.to_thread(stream.close)
 
-    def _open(self) -> Any:
+    def _open(self, loop: asyncio.AbstractEventLoop) -> Any:
         """A device that takes up sound, at the ear's rate where it can, else at its own. Raises `PortAudioError`, and
         `ValueError` for a name that no device has."""
         for rate in (RATE, round(self._library.query_devices(self._device, "input")["default_samplerate"])):
             with suppress(self._library.PortAudioError):
-                return self._started(rate)
+                return self._started(rate, loop)
         raise self._library.PortAudioError("it does not begin")
 
-    def _started(self, rate: int) -> Any:
-        loop, flow = asyncio.get_running_loop(), Flow(rate)
+    def _started(self, rate: int, loop: asyncio.AbstractEventLoop) -> Any:
+        flow = Flow(rate)
 
         def soon(block: Any, count: int, time: object, status: Any) -> None:
             with suppress(RuntimeError):  # the run has ended

@@ -49,6 +49,7 @@ class Played:
             await listening
         finally:
             listening.cancel()
+            await asyncio.gather(listening, return_exceptions=True)
         await asyncio.Event().wait()
 
     def counts(self) -> dict[str, int]:

@@ -19,9 +19,6 @@ from facescript.schedule.lengths import PAUSE
 from facescript.speech.model import VoiceBox, VoiceFailure
 from facescript.text import Source, Span
 
-AHEAD = 0.2
-"""Seconds before a line may begin that the run is told of it: it is solved by then, and can still be taken back."""
-
 MOST = 100
 """Statements that wait their turn."""
 
@@ -96,13 +93,13 @@ class Conversation:
     of two lines of a script. What they say is spoken by `voice` in a thread of its own while they wait.
     """
 
-    def __init__(self, prompting: Prompting, voice: VoiceBox) -> None:
+    def __init__(self, prompting: Prompting, voice: VoiceBox, fps: float) -> None:
         self._prompting, self._voice = prompting, voice
         self._teller: Teller | None = None
         self._waiting: list[Turn] = []
         self._current: list[Turn] = []
         self._ears: list[Told] = []
-        self._time = 0.0
+        self._time, self._frame = 0.0, 1.0 / fps
         self._silent: dict[str, float] = {}
         self._counts = {"told": 0, "refused": 0}
         self._mouth = ThreadPoolExecutor(1, "voice")
@@ -142,8 +139,8 @@ class Conversation:
         for turn in self._current:
             if not turn.hushed and (not faces or turn.faces & set(faces)):
                 turn.hushed = True
-                for face in sorted(turn.faces):
-                    self._event(Happening(HUSHED, 0.0, face))
+                for face in sorted(turn.faces):  # not before it begins
+                    self._event(Happening(HUSHED, turn.since, face))
 
     def speaking(self) -> dict[str, str]:
         """What each face is saying that is saying something, by its name."""
@@ -176,7 +173,7 @@ class Conversation:
                 busy[face] = max(busy.get(face, 0.0), turn.end)
         for turn in tuple(self._waiting):
             free = max(busy.get(face, -PAUSE) for face in turn.faces)
-            if free + PAUSE - AHEAD <= self._time and turn.spoken.done():
+            if free + PAUSE <= self._time + self._frame and turn.spoken.done():
                 self._waiting.remove(turn)
                 self._begin(turn, free + PAUSE)
             busy.update(dict.fromkeys(turn.faces, inf))

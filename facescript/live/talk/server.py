@@ -155,9 +155,16 @@ class Stream:
             self.closed = True
             found += self._sentences.rest()
         for sentence in () if self.deaf else found:
-            self._open += 1
-            self._conversation.tell(f"{f'{self.face}: ' if self.face else ''}say {quoted(sentence)}", self._told)
+            self._say(sentence)
         self._end()
+
+    def _say(self, sentence: str) -> None:
+        try:
+            self._conversation.tell(f"{f'{self.face}: ' if self.face else ''}say {quoted(sentence)}", self._told)
+        except Refused:
+            self.deaf = True
+            raise
+        self._open += 1
 
     def _told(self, event: dict[str, object]) -> None:
         if "begun" in event:

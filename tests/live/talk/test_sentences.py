@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from facescript.live.talk.sentences import LONGEST, Sentences
@@ -29,6 +29,7 @@ def cut(text: str, places: list[int]) -> list[str]:
     return [text[first:last] for first, last in pairwise(edges)]
 
 
+@settings(max_examples=40, deadline=None)
 @given(st.lists(st.integers(0, 1000), max_size=12))
 def test_the_sentences_do_not_hang_on_the_pieces(places: list[int]) -> None:
     sentences = Sentences()

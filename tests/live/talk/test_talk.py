@@ -14,6 +14,9 @@ import pytest
 from talking import Notes, talked_to
 from websockets.asyncio.client import connect as open_socket
 
+from facescript.live.address import AddressFault, parse
+from facescript.live.ports import check_reach
+from facescript.live.sources.talk import FORM
 from facescript.live.talk import Refusal, connect, connect_plain
 
 ROOT = Path(__file__).parents[3]
@@ -134,3 +137,10 @@ async def test_the_example_gives_answers_a_face() -> None:
         )
         assert told.stdout.split() == ["said"], told.stderr
         assert [text for text, _ in lines(notes)] == ["I see.", "Tell me more about that, please."]
+
+
+def test_who_listens_beyond_this_machine_asks_for_a_token() -> None:
+    with pytest.raises(AddressFault) as refused:
+        check_reach(parse("talk://0.0.0.0:8770", FORM), "")
+    assert refused.value.code == "FS983"
+    check_reach(parse("talk://0.0.0.0:8770", FORM), "word")
