@@ -17,17 +17,26 @@ import numpy as np
 from row import Row
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "live" / "seeing"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "live" / "persons"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "motion"))
 from drawn import FPS, film, scene
+from watching import lag
 
+from facescript.compile import Settings
 from facescript.ir.values import Point
 from facescript.live.clock import WallClock
 from facescript.live.model import Happening, Sighting
+from facescript.live.opening import open_play
+from facescript.live.run.run import Run
 from facescript.live.seeing.cascade import Cascade
 from facescript.live.seeing.faces import Finder, Picture
 from facescript.live.seeing.geometry import Camera
 from facescript.live.seeing.mediapipe import MediaPipe, installed
 from facescript.live.seeing.watch import Watcher
 from facescript.live.sources.camera import VideoSource
+from facescript.speech.estimate import EstimatedVoice
+from facescript.text import Source
+from facescript.world import World
 
 Walk = Callable[[float], Point]
 
@@ -44,6 +53,32 @@ THREE: list[Walk] = [
 ]
 
 
+FOLLOWS = "film screen none\nface ada = woman\n    life still\nwhen person arrives as guest:\n    look at guest\n"
+
+OLD = 0.08
+"""How old a picture is when the run is told of it, s."""
+
+BEHIND = 120
+"""ms by which gaze may come after a face that moves steadily (bar)."""
+
+TURN = 3.2
+"""One who goes to and fro turns after so long, s."""
+
+
+def to_and_fro(time: float) -> Point:
+    """One who goes 15 degrees a second, a metre away."""
+    return aside(-24.0 + 15.0 * (time if time < TURN else 2 * TURN - time))
+
+
+def swaying(time: float) -> Point:
+    """One who sways by 18 degrees, 0.3 times a second."""
+    return aside(18.0 * float(np.sin(0.6 * np.pi * time)))
+
+
+def aside(degrees: float) -> Point:
+    return Point(100.0 * float(np.tan(np.radians(degrees))), 0.0, 100.0)
+
+
 def rows() -> Iterator[Row]:
     finders: dict[str, Callable[[], Finder]] = {"cascade": Cascade}
     if installed():
@@ -53,6 +88,11 @@ def rows() -> Iterator[Row]:
             yield from _watched(f"{name}, {what}", made(), walks)
         yield from _photographed(name, made())
     yield from _told()
+    for what, walk in (("goes to and fro", to_and_fro), ("sways", swaying)):
+        late = _behind(walk) * 1000
+        yield Row(
+            f"one who {what}: from her to gaze, through pictures", f"{BEHIND} ms", f"{late:.0f} ms", late <= BEHIND
+        )
 
 
 def _watched(what: str, finder: Finder, walks: list[Walk]) -> Iterator[Row]:
@@ -109,6 +149,27 @@ def _photographed(name: str, finder: Finder) -> Iterator[Row]:
     found = f"{sum(count > 0 for count in counts)}, and {sum(max(0, count - 1) for count in counts)} false"
     yield Row(f"{name}, a photograph: found, of 100", "100", found, counts == [1] * 100)
     yield Row(f"{name}, a photograph: the whole picture searched", "", f"{np.mean(costs):.1f} ms", None)
+
+
+def _behind(walk: Walk) -> float:
+    """By how much gaze comes after a face, s: pictures, the cascade, the path of a person and the eyes together."""
+    watcher, fps = Watcher(LEVEL, Cascade()), 60.0
+    told = [
+        (number / FPS + OLD, item)
+        for number in range(int(2 * TURN * FPS))
+        for item in watcher.look(scene(LEVEL, [walk(number / FPS)]), number / FPS)
+    ][::-1]
+    play, _ = open_play(Source("x.face", FOLLOWS), World(Path()), Settings())
+    assert play is not None
+    run, yaws, times = Run(play, EstimatedVoice(), fps), [], np.arange(0.0, 2 * TURN, 1 / fps)
+    for number, time_ in enumerate(times):
+        while told and told[-1][0] <= time_:
+            _, item = told.pop()
+            run.see(item) if isinstance(item, Sighting) else run.hear(item)
+        yaws.append(run.frame(number).values[run.layout.names.index("gaze.yaw")])
+    places = [walk(float(time_)) for time_ in times]
+    true = np.degrees([np.arctan2(place.x, place.z) for place in places])
+    return lag(np.array(yaws)[times > 1.5], true[times > 1.5], rate=fps)
 
 
 class _Ages:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from facescript.live.seeing.faces import Picture
+from facescript.live.seeing.geometry import Box
 
 GRAIN = 80
 """Points of the picture's width that are compared."""
@@ -19,8 +20,14 @@ GRAIN = 80
 DIFFERS = 22.0
 """Grey levels of 255 by which a point differs that is not background."""
 
-SHARE = 0.015
-"""Somebody is there where so much of the picture differs: a face at 2 m takes up 1 %, a body several times that."""
+SHARE = 0.01
+"""Somebody is there where so much of the picture differs: a drawn head and chest at 1.8 m are 1.4 %."""
+
+BODY = (-0.25, 1.25, 0.0, 2.5)
+"""Where somebody's head and chest are, from the frame of her face: left, right, top, bottom, as parts of its size."""
+
+STANDS = 0.2
+"""Somebody stands there where so much of that differs: of drawn persons 0.35 to 0.6 does."""
 
 QUIET, BUSY = 8.0, 60.0
 """In so many seconds a point that is background, and one that is not, becomes what is seen there."""
@@ -32,12 +39,15 @@ class Background:
     def __init__(self) -> None:
         self._known: NDArray[np.float32] | None = None
         self._time = 0.0
+        self._strange: NDArray[np.bool_] = np.zeros((0, 0), dtype=np.bool_)
+        self._grain = 1.0
 
     def differs(self, picture: Picture, time: float) -> float:
         """The share of the picture, 0 to 1, that is not background; the first picture is all background."""
         seen = _coarse(picture)
         if self._known is None or self._known.shape != seen.shape:
-            self._known, self._time = seen, time
+            self._known, self._time, self._strange = seen, time, np.zeros(seen.shape, dtype=np.bool_)
+            self._grain = picture.shape[1] / seen.shape[1]
             return 0.0
         change = seen - self._known
         change -= np.median(change)  # a camera that adapts to the light changes the whole picture at once
@@ -45,8 +55,19 @@ class Background:
         span = max(0.0, time - self._time)
         rate = np.where(strange, 1.0 - exp(-span / BUSY), 1.0 - exp(-span / QUIET)).astype(np.float32)
         self._known += rate * (seen - self._known)
-        self._time = time
+        self._time, self._strange = time, strange
         return float(strange.mean())
+
+    def stands(self, face: Box) -> bool:
+        """Whether in the last picture somebody was where a face with this frame had been."""
+        left, right, top, bottom = BODY
+        columns = slice(self._place(face.x + left * face.width), self._place(face.x + right * face.width))
+        rows = slice(self._place(face.y + top * face.height), self._place(face.y + bottom * face.height))
+        part = self._strange[rows, columns]
+        return bool(part.size) and float(part.mean()) > STANDS
+
+    def _place(self, pixels: float) -> int:
+        return max(0, round(pixels / self._grain))
 
 
 def _coarse(picture: Picture) -> NDArray[np.float32]:

@@ -7,7 +7,7 @@ she should come out.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from math import exp, hypot, log
 
@@ -23,15 +23,18 @@ OFTEN = 0.5
 LEAVES = 1.0
 """Somebody has left who was not seen for so long, s."""
 
+STAYS = 10.0
+"""... or for so long, where somebody still stands where she was: she has turned away, or looks down."""
+
 DOUBTFUL = 0.25
 """One who has not arrived is forgotten after so long, s."""
 
 MOST = 16
 """Persons at a time."""
 
-REACH, SPREAD, FURTHEST = 0.8, 4.0, 2.5
+REACH, SPREAD, FURTHEST, STANDING = 0.8, 4.0, 2.5, 1.2
 """A face may be so many face widths from where it is expected, and more for each second in which it was not seen, to a
-limit: 4 a second are 60 cm/s."""
+limit: 4 a second are 60 cm/s. One who stands there unseen is found again as near as the last."""
 
 GROWTH = 0.5
 """A face may be larger or smaller than it was by so much, as a logarithm: 1.65 times."""
@@ -41,6 +44,11 @@ PLACE, SPEED, SIZE = 0.7, 0.25, 0.3
 
 COASTS = 0.6
 """One who is not seen goes on, and slows down in this time, s."""
+
+
+def nobody(face: Box) -> bool:
+    """Nobody stands where no face is seen."""
+    return False
 
 
 @dataclass(slots=True, eq=False)
@@ -68,7 +76,8 @@ class Track:
     def cost(self, box: Box, time: float) -> float:
         """How little a frame looks like it; 1 is too little."""
         (x, y), (ex, ey) = box.middle, self.expected(time).middle
-        reach = min(REACH + SPREAD * (time - self.seen), FURTHEST)
+        unseen = time - self.seen
+        reach = min(REACH + SPREAD * unseen, FURTHEST) if unseen <= LEAVES else STANDING
         away = hypot(x - ex, y - ey) / ((box.width + self.width) / 2)
         return hypot(away / reach, log(box.width / self.width) / GROWTH)
 
@@ -83,6 +92,12 @@ class Track:
         self.height += SIZE * (box.height - self.height)
         self.seen = time
         self.hits += 1
+
+    def is_gone(self, time: float, stands: Callable[[Box], bool]) -> bool:
+        unseen = time - self.seen
+        if self.person is None:
+            return unseen > DOUBTFUL
+        return unseen > STAYS or (unseen > LEAVES and not stands(self.expected(time)))
 
     def settled(self, time: float) -> bool:
         return time - self.born >= ARRIVES and self.hits >= OFTEN * self.looks
@@ -110,8 +125,9 @@ class Tracker:
         """Where those who are followed should be."""
         return [track.expected(time) for track in self.tracks]
 
-    def step(self, boxes: Sequence[Box], time: float) -> Seen:
-        """The faces of the picture of a time (s, later than the one before: else it is passed over)."""
+    def step(self, boxes: Sequence[Box], time: float, stands: Callable[[Box], bool] = nobody) -> Seen:
+        """The faces of the picture of a time (s, later than the one before: else it is passed over). `stands` says
+        whether somebody is where a face was, though none is seen."""
         if time <= self._time:
             return Seen()
         self._time = time
@@ -123,7 +139,7 @@ class Tracker:
         for track in self.tracks:
             track.looks += 1
         arrived = self._arrived([track for track, _ in faces], time)
-        left = self._left(time)
+        left = self._left(time, stands)
         self._begin([box for column, box in enumerate(boxes) if column not in {pair[1] for pair in matched}], time)
         told = tuple((track.person, box) for track, box in faces if track.person is not None)
         return Seen(told, arrived, left)
@@ -137,8 +153,8 @@ class Tracker:
                 found.append(track.person)
         return tuple(found)
 
-    def _left(self, time: float) -> tuple[str, ...]:
-        gone = [track for track in self.tracks if time - track.seen > (LEAVES if track.person else DOUBTFUL)]
+    def _left(self, time: float, stands: Callable[[Box], bool]) -> tuple[str, ...]:
+        gone = [track for track in self.tracks if track.is_gone(time, stands)]
         self.tracks = [track for track in self.tracks if track not in gone]
         return tuple(track.person for track in gone if track.person is not None)
 

@@ -22,8 +22,7 @@ WHOLE = 3
 
 @dataclass(slots=True)
 class Watcher:
-    """Watches through a camera. `signals` are those that the script waits for: without `presence` and `absence` among
-    them no background is learnt."""
+    """Watches through a camera. `signals` are those of presence for which the script waits."""
 
     camera: Camera
     finder: Finder
@@ -39,20 +38,18 @@ class Watcher:
         self.counts["pictures"] += 1
         boxes = self.finder.faces(picture, near)
         self.counts["faces"] += len(boxes)
-        seen = self.tracker.step(boxes, time)
+        strange = self._background.differs(picture, time)
+        seen = self.tracker.step(boxes, time, self._background.stands)
         height, width = picture.shape[:2]
         for person, box in seen.faces:
             yield Sighting(person, time, self.camera.locate(box, width, height, self.finder.width))
         yield from self._comings(seen, time)
-        if self.signals:
-            strange = self._background.differs(picture, time)
-            yield from self._signal(bool(seen.faces) or strange > SHARE, time)
+        yield from self._signal(bool(seen.faces) or strange > SHARE, time)
 
     def blind(self, time: float) -> Iterator[Happening]:
         """What it tells that there is no picture at a time: who was there is let go after a while."""
         yield from self._comings(self.tracker.step((), time), time)
-        if self.signals:
-            yield from self._signal(False, time)
+        yield from self._signal(False, time)
 
     def _comings(self, seen: Seen, time: float) -> Iterator[Happening]:
         self.counts["arrived"] += len(seen.arrived)

@@ -72,6 +72,19 @@ def test_somebody_without_a_face_is_present_and_the_light_is_nobody() -> None:
     assert [item.text for item in empty if isinstance(item, Happening)] == [ABSENT]
 
 
+def test_who_turns_away_is_there_as_long_as_somebody_stands_there() -> None:
+    """Her face is not seen for three seconds, but she is; then she has gone."""
+    empty, turned = [picture()] * 5, [picture(body=20)] * (3 * FPS)
+    facing = turned[0].copy()
+    facing[80:120, 40:80] = 255
+    watcher = Watcher(Camera(Point(0.0, 0.0, 0.0)), Squares())
+    comings = []
+    for number, one in enumerate([*empty, *[facing] * FPS, *turned, *[facing] * FPS, *[picture()] * (2 * FPS)]):
+        comings += [item for item in watcher.look(one, number / FPS) if isinstance(item, Happening)]
+    assert [(item.kind, item.person) for item in comings] == [("arrives", "person 1"), ("leaves", "person 1")]
+    assert comings[1].time == pytest.approx((len(empty) + 5 * FPS) / FPS + 1.0, abs=0.1)
+
+
 def test_what_stays_becomes_background_after_a_minute_or_two() -> None:
     background = Background()
     background.differs(picture(), 0.0)
