@@ -63,13 +63,13 @@ def _paced(send: Callable[[int], None], ended: threading.Event) -> None:
 
 
 def _websocket(run: Running, ended: threading.Event) -> None:
-    place = run.wait("Events are taken").split()[-1].rstrip(".")
+    place = run.wait("listens at").split()[-1].rstrip(".")
     with connect(place, compression=None, max_queue=None) as client:
         _paced(lambda count: client.send(SAYINGS[count % len(SAYINGS)]), ended)
 
 
 def _osc(run: Running, ended: threading.Event) -> None:
-    port = int(run.wait("Events are taken").rstrip(".").rpartition(":")[2])
+    port = int(run.wait("listens at").rstrip(".").rpartition(":")[2])
     client = socket.socket(type=socket.SOCK_DGRAM)
     packets = [b"/facescript/heard\0\0\0,s\0\0no\0\0", b"/facescript/key\0,s\0\0q\0\0\0", struct.pack(">I", 7) * 9]
     _paced(lambda count: client.sendto(packets[count % len(packets)], ("127.0.0.1", port)) and None, ended)

@@ -81,7 +81,7 @@ def _places(what: str, seen: list[Sighting], walks: list[Walk]) -> Iterator[Row]
         place = places[whose]
         wrong.append((one.place.x - place.x, one.place.y - place.y, one.place.z / place.z - 1.0))
     switches = sum(before != after for row in names.values() for before, after in pairwise(row))
-    yield Row(f"{what}: found, of {len(walks) * int(SECONDS * FPS)}", "", str(len(seen)), None)
+    yield Row(f"{what}: sightings, of persons while they are there", "", str(len(seen)), None)
     yield Row(f"{what}: changes of name", "0", str(switches), switches == 0)
     x, y, z = np.abs(np.array(wrong)).mean(axis=0)
     yield Row(f"{what}: off, mean", "", f"{x:.1f} cm aside, {y:.1f} cm up, {z:.0%} of the distance", None)

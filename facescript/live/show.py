@@ -112,7 +112,7 @@ class Show:
 
 def _counted(what: str, counts: Mapping[str, int]) -> Iterator[str]:
     told = ", ".join(f"{count} {name}" for name, count in counts.items() if count)
-    yield f"{what}: {told or 'none'}"
+    yield f"{what.removesuffix(':')}: {told or 'none'}"
 
 
 async def _told(address: str, source: Source, teller: Teller) -> None:

@@ -63,15 +63,17 @@ class FaceMotion:
         self, score: Score, face: Face, memories: Memories | None = None, before: FaceMotion | None = None
     ) -> None:
         """In a run there are `memories` of its lives, and what would be as it was `before` is taken from there."""
-        self.scenes = tuple(_scenes(score, face, memories, before.scenes if before else ()))
+        self.scenes: tuple[SceneMotion, ...] = tuple(_scenes(score, face, memories, before.scenes if before else ()))
         self._gazing = _gazing(score, face)
         same = before is not None and before._gazing == self._gazing
         track = before.gaze if before else None
-        self.gaze = track if track is not None and same else GazeTrack(score, face, track)
+        self.gaze: GazeTrack = track if track is not None and same else GazeTrack(score, face, track)
         spoken = tuple(line for line in score.lines if line.face == face.name)
         self._saying = _saying(spoken)
         same = before is not None and before._saying == self._saying
-        self.mouth = before.mouth if before is not None and same else MouthTrack(spoken, table_of(score.visemes))
+        self.mouth: MouthTrack = (
+            before.mouth if before is not None and same else MouthTrack(spoken, table_of(score.visemes))
+        )
 
     def sample(self, times: Floats) -> Frames:
         """Poses at `times` (seconds, any order): array[len(times), len(POSE)]."""

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from facescript.ir.acts import At, Do, Repeat, Say, WaitUntil
 from facescript.ir.acts import Sequence as Block
+from facescript.schedule.deeds import Deed
+from facescript.schedule.facts import Hold
 from facescript.schedule.labels import nodes
 from facescript.schedule.round import Begin, Round
 from facescript.schedule.steps import DONE, NEVER, SETTLED, START, Begun, Past, Root, Step, ends_in_line
@@ -39,7 +41,7 @@ class Forgetting:
         elif isinstance(step.node, Repeat):
             self._passes(step, awaited)
         elif isinstance(step.node, Do) and isinstance(step.node.verb, Say):
-            self._line(step, awaited)
+            self._line(step, step.node.verb, awaited)
         else:
             for child in step.children or ():
                 self._step(child, awaited)
@@ -87,7 +89,7 @@ class Forgetting:
         line = ends_in_line(moved[-1]) if moved else before.line
         self.past.begun[step.key()] = Begun(first, max(done, before.done), line)
 
-    def _line(self, step: Step, awaited: frozenset[str]) -> None:
+    def _line(self, step: Step, say: Say, awaited: frozenset[str]) -> None:
         """A line goes on with the saying that has begun last."""
         begun = [start for start, _ in step.sayings if start < self.time]
         cues = step.children or []
@@ -97,10 +99,32 @@ class Forgetting:
             first = before.first + len(begun) - 1
             if first:
                 self.past.begun[step.key()] = Begun(first)
-            say = step.node.verb  # type: ignore[union-attr]
-            cues = [cue for cue in cues if cue.index >= first * len(say.cues)]  # type: ignore[union-attr]
+            cues = [cue for cue in cues if cue.index >= first * len(say.cues)]
         for cue in cues:
             self._step(cue, awaited)
+
+
+def reactions_over(solved: Round, numbers: Mapping[int, int], forgetting: Forgetting) -> set[int]:
+    """The ranks of the reactions that nothing hangs on any more. `numbers` say by the ranks of which of the play's they
+    are: one is not forgotten before another run of it that is cut by it."""
+    over: set[int] = set()
+    kept: set[int] = set()
+    for root in solved.reactions:
+        holds = [hold for hold in solved.holds().all if hold.rank == root.rank]
+        ends = [min(root.top.time(DONE), root.top.limit), *(hold.end for hold in holds)]
+        waited = any(_waits(deed, hold, forgetting) for hold in holds for deed in solved.done)
+        if max(ends) < forgetting.time and not waited and numbers[root.rank] not in kept:
+            over.add(root.rank)
+        else:
+            kept.add(numbers[root.rank])
+    return over
+
+
+def _waits(deed: Deed, hold: Hold, forgetting: Forgetting) -> bool:
+    """Whether a line that is not over waits for a voice that a reaction has, or was broken off by it."""
+    if not isinstance(deed.verb, Say) or id(deed.step) not in forgetting.live or deed.face != hold.face:
+        return False
+    return deed.root.rank < hold.rank and forgetting.said.get(id(deed.step), deed.start) < hold.end
 
 
 def begin_of(solved: Round, time: float) -> Begin:

@@ -51,6 +51,7 @@ class Gaze:
                 planned, self.left[name], still = plan_on(room, self.faces[name], asked, rest)
                 self.still = max(self.still, still)
             for order, stop in sorted(planned):
+                assert isinstance(order, int), "requests of a round are known by the orders of its deeds"
                 plans[order] = (*plans.get(order, ()), *planned[order, stop])
         return plans
 

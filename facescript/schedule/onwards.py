@@ -17,7 +17,7 @@ from facescript.schedule.events import Happening, Trigger, heeds, planted
 from facescript.schedule.facts import Facts
 from facescript.schedule.faults import Faults
 from facescript.schedule.film import Placed, Timed
-from facescript.schedule.forgetting import Forgetting, begin_of
+from facescript.schedule.forgetting import Forgetting, begin_of, reactions_over
 from facescript.schedule.labels import Labels, nodes
 from facescript.schedule.lengths import Lengths
 from facescript.schedule.looks import Gaze, landings, scene_at
@@ -27,7 +27,7 @@ from facescript.schedule.presence import Coming, Presence
 from facescript.schedule.round import Begin, Round
 from facescript.schedule.rules import Times
 from facescript.schedule.score import Score, TimedAct, TimedLine
-from facescript.schedule.steps import DONE, NEVER, Key, Maker, Past, Root
+from facescript.schedule.steps import NEVER, Key, Maker, Past, Root
 from facescript.schedule.voices import Voices
 from facescript.schedule.worn import Worn, still_worn, worn
 from facescript.schedule.writing import Writing
@@ -38,7 +38,7 @@ from facescript.space.room import Room
 from facescript.speech.model import VoiceBox
 from facescript.text import Span
 
-STATEMENTS = 200_000
+STATEMENTS = 20_000
 """Statements that one solution may come to."""
 
 ROUNDS = 60
@@ -225,8 +225,9 @@ class Onwards:
             later = [request for request in requests if request.scene > 0]
             found |= plan_gaze(self.room, self._means.faces[name], later, starts)
             for key in sorted(found):
-                order = orders.get(key[0])  # type: ignore[arg-type]
-                if order is not None:
+                place = key[0]
+                if isinstance(place, tuple) and place in orders:
+                    order = orders[place]
                     plans[order] = (*plans.get(order, ()), *found[key])
         return plans
 
@@ -283,7 +284,8 @@ class Onwards:
             forgetting.tree(played.root)
         for root in solved.reactions:
             forgetting.tree(root)
-        over = self._over(solved, forgetting)
+        numbers = {one.rank: one.trigger.number for one in self._heeded}
+        over = reactions_over(solved, numbers, forgetting)
         lines = self._forget_lines(outlook, forgetting)
         acts = self._forget_deeds(outlook, begin, forgetting, over)
         self._forget_past(solved, forgetting, over, time)
@@ -304,25 +306,6 @@ class Onwards:
         self._means.concrete = Concrete(self.play.film.seed)
         self._means.paced.clear()
         self._labels = Labels()
-
-    def _over(self, solved: Round, forgetting: Forgetting) -> set[int]:
-        """The ranks of the reactions that nothing hangs on any more."""
-        holds = {(hold.rank, hold.face): hold.end for hold in solved.holds().all}
-        ends = {rank: max(end for (one, _), end in holds.items() if one == rank) for rank, _ in holds}
-        waiting = [deed for deed in solved.done if id(deed.step) in forgetting.live and isinstance(deed.verb, Say)]
-        over: set[int] = set()
-        kept: set[int] = set()
-        for root, one in zip(solved.reactions, self._heeded, strict=True):
-            done = min(root.top.time(DONE), root.top.limit) < forgetting.time
-            done = done and ends.get(root.rank, 0.0) < forgetting.time and one.trigger.number not in kept
-            held = [holds[root.rank, deed.face] for deed in waiting if (root.rank, deed.face) in holds
-                    and deed.root.rank < root.rank
-                    and forgetting.said.get(id(deed.step), deed.start) < holds[root.rank, deed.face]]  # fmt: skip
-            if done and not held:
-                over.add(root.rank)
-            else:
-                kept.add(one.trigger.number)
-        return over
 
     def _forget_lines(self, outlook: Outlook, forgetting: Forgetting) -> tuple[TimedLine, ...]:
         """Lines that are not solved again are told of a little longer, and the last of each face as long as it is."""

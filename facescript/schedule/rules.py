@@ -237,4 +237,4 @@ class Times:
             if isinstance(child.node, At) and time == NEVER and child.time(START) == NEVER:
                 continue
             latest = max(latest[0], time), latest[1] or rough
-        return latest
+        return (NEVER, False) if step.goes_on else latest

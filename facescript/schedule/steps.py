@@ -13,6 +13,9 @@ START, SETTLED, DONE = range(3)
 
 NEVER = float("inf")
 
+AHEAD = 256
+"""Of a block of a play that goes on so many statements are looked ahead."""
+
 Time = tuple[float, bool]
 """Seconds from the film's start, and whether the duration of a line that was only estimated is in it."""
 
@@ -121,7 +124,8 @@ class Step:
     `before` is the step it follows in its sequence; `limit` is when it is cut (a `repeat for`, the film's end, a scene
     that is stopped): nothing starts from there on. `until` is the end of the inline cue it belongs to. What is in a
     `quiet` step may be cut without a word. `sayings` are the starts and cuts of a line: the last is whole.
-    A step that is under way may have `begun`; one that is `over` is there only to be asked for its times.
+    A step that is under way may have `begun`; one that is `over` is there only to be asked for its times; one that
+    `goes_on` has more statements than were made.
     """
 
     node: Node
@@ -140,6 +144,7 @@ class Step:
     sayings: tuple[tuple[float, float | None], ...] = ()
     begun: Begun | None = None
     over: bool = False
+    goes_on: bool = False
 
     def __post_init__(self) -> None:
         maker = self.root.maker
@@ -188,11 +193,15 @@ class Step:
         return [self.child(node.body, 0)] if isinstance(node, At) else []
 
     def _row(self, node: Sequence) -> list[Step]:
-        past = self.root.maker.past
+        past, first = self.root.maker.past, self.begun.first if self.begun else 0
         made: list[Step] = list(past.awaited.get(self.key(), ())) if past is not None else []
+        last = len(node.items) if past is None else first + AHEAD
+        self.goes_on = last < len(node.items)
         before = None
-        for index in range(self.begun.first if self.begun else 0, len(node.items)):
+        for index in range(first, len(node.items)):
             item = node.items[index]
+            if index >= last and not isinstance(item, At):
+                continue
             made.append(self.child(item, index, before))
             if not isinstance(item, At):
                 before = made[-1]

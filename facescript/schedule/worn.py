@@ -21,6 +21,7 @@ from facescript.ir.acts import (
     View,
 )
 from facescript.schedule.deeds import Deed
+from facescript.schedule.defaults import seconds
 from facescript.schedule.looks import gone
 from facescript.schedule.score import FOREVER, TimedAct
 from facescript.schedule.steps import NEVER, Key
@@ -53,7 +54,7 @@ class Worn:
         """Its act by what has become of the deed."""
         end = self.act.end
         if isinstance(deed.verb, (Add, Perform)):
-            end = deed.release + (self.act.verb.timing.back or 0.0)  # type: ignore[union-attr,operator]
+            end = deed.release + seconds(deed.verb.timing.back)
         elif plan:
             end = gone(plan, deed.release)
         return replace(self.act, scene=0, plan=plan, drops=drops, released=deed.release, end=end)
@@ -115,10 +116,10 @@ def _moving(act: TimedAct, time: float) -> bool:
 
 def _dropped(one: Worn, falls: dict[tuple[int, int], float], time: float) -> bool:
     """Whether all its terms were dropped, and are gone."""
-    if not isinstance(one.deed.verb, (Show, Add)) or not one.deed.verb.mix.terms:
+    if not isinstance(one.deed.verb, Add) or not one.deed.verb.mix.terms:
         return False
     terms = range(len(one.deed.verb.mix.terms))
-    return isinstance(one.deed.verb, Add) and all(falls.get((one.deed.order, index), NEVER) < time for index in terms)
+    return all(falls.get((one.deed.order, index), NEVER) < time for index in terms)
 
 
 def _uncovered(items: list[Worn], time: float) -> list[Worn]:

@@ -45,21 +45,23 @@ OPENED = 0.05
 
 def measured(poses: Floats) -> Floats:
     """array[n, POSE] to array[n, COLUMNS]."""
-    found = np.concatenate([poses - REST, np.zeros((len(poses), len(MEASURES)))], axis=1)
-    for side in SIDES:
-        lid, pitch = poses[:, INDEX[f"lid.{side}"]], poses[:, INDEX[f"eye.{side}.pitch"]]
-        found[:, AT[f"shut.{side}"]] = shut(lid, pitch)
-    opened, upper, lower, jaw, tongue = (
-        poses[:, INDEX[f"mouth.{part}"]] for part in ("open", "upper", "lower", "jaw", "tongue")
-    )
-    raised = np.clip(upper, 0.0, JAW_DOWN * jaw)
+    found = np.empty((len(poses), len(COLUMNS)))
+    np.subtract(poses, REST, out=found[:, : len(POSE)])
+    found[:, _SHUT] = shut(poses[:, _LIDS], poses[:, _PITCHES])
+    opened, upper, lower, jaw, tongue = poses[:, _MOUTH].T
+    raised = np.minimum(np.maximum(upper, 0.0), JAW_DOWN * jaw)
     beyond = opened - raised - JAW_DOWN * jaw
     slack = opened - np.maximum(upper, 0.0) - np.maximum(lower, 0.0)
-    told = (raised, np.maximum(beyond, 0.0), np.maximum(-beyond, 0.0), upper + 0.2 * slack, lower + 0.8 * slack)
-    for name, values in zip(MEASURES[2:7], told, strict=True):
-        found[:, AT[name]] = values
-    found[:, AT["tongue.out"]] = np.clip((tongue - OUT) / (1.0 - OUT), 0.0, 1.0)
+    out = np.clip((tongue - OUT) / (1.0 - OUT), 0.0, 1.0)
+    told = (raised, np.maximum(beyond, 0.0), np.maximum(-beyond, 0.0), upper + 0.2 * slack, lower + 0.8 * slack, out)
+    found[:, _SHUT[-1] + 1 :] = np.stack(told, axis=1)
     return found
+
+
+_SHUT = [AT[f"shut.{side}"] for side in SIDES]
+_LIDS = [INDEX[f"lid.{side}"] for side in SIDES]
+_PITCHES = [INDEX[f"eye.{side}.pitch"] for side in SIDES]
+_MOUTH = [INDEX[f"mouth.{part}"] for part in ("open", "upper", "lower", "jaw", "tongue")]
 
 
 def shut(lid: Floats, pitch: Floats) -> Floats:
@@ -79,9 +81,7 @@ def posed(columns: Floats) -> Floats:
 
 def lids_from_shut(poses: Floats, columns: Floats) -> None:
     """Set the lids from how far they are shut beyond gaze."""
-    for side in SIDES:
-        pitch = poses[:, INDEX[f"eye.{side}.pitch"]]
-        poses[:, INDEX[f"lid.{side}"]] = lid_of(columns[:, AT[f"shut.{side}"]], pitch)
+    poses[:, _LIDS] = lid_of(columns[:, _SHUT], poses[:, _PITCHES])
 
 
 def mouth_from_jaw(poses: Floats, columns: Floats) -> None:

@@ -202,6 +202,7 @@ class Planning:
     def pass_to(self, time: float, requests: Sequence[GazeRequest]) -> None:
         """Plan what comes before a time once and for all, and forget all that is not asked for any more."""
         self._run(requests, time)
+        self.shifter = self.shifter.fork()
         wanted = {request.key for request in requests} | self.owners | {one.key for one in self.watched.values()}
         for known in (self.aims, self.plans, self.begun, self.turns, self.attended):
             for key in [key for key in known if key not in wanted]:

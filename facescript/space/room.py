@@ -40,6 +40,9 @@ NEAREST_CM = 8.0
 FARTHEST_CM = 1e7
 """Beyond this both eyes look straight on, cm; so far a script's places lie at most."""
 
+KEPT = 4096
+"""Lines of sight to places that stay that are kept."""
+
 PEOPLE = "people"
 """The crowd of those whom the camera sees."""
 
@@ -171,6 +174,8 @@ class Room:
             return self._seen(face, self._path(target).at(time), in_picture=False)
         known = self._still.get((face, aim))
         if known is None:
+            if len(self._still) >= KEPT:
+                self._still.clear()
             known = self._still[face, aim] = self._sight(face, aim, time)
         return known
 

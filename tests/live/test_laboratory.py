@@ -12,6 +12,8 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from threading import Timer
+from typing import Any
 
 import pytest
 
@@ -26,15 +28,18 @@ def block(start: str) -> str:
 
 
 @contextmanager
-def running(folder: Path, source: str) -> Iterator[Callable[[str], str]]:
+def running(folder: Path, *sources: str) -> Iterator[Callable[[str], str]]:
     """The how-to's face, taking events from somewhere; waits for what it says."""
     (folder / "answer.face").write_text(block("# answer.face"), "utf-8")
-    words = ["live", "answer.face", "--from", source, "--to", "csv:run.csv", "--onsets", "p01.csv"]
+    words = ["live", "answer.face", "--to", "csv:run.csv", "--onsets", "p01.csv"]
+    words += [word for source in sources for word in ("--from", source)]
     command = [sys.executable, "-m", "facescript.cli.main", *words]
     pipe = subprocess.PIPE
     process = subprocess.Popen(command, cwd=folder, stderr=pipe, text=True, env={**os.environ, "LSLAPICFG": str(LSL)})
     assert process.stderr is not None
     stderr = process.stderr
+    late = Timer(60, process.kill)
+    late.start()
 
     def said(what: str) -> str:
         return next((line for line in stderr if what in line), "")
@@ -44,6 +49,7 @@ def running(folder: Path, source: str) -> Iterator[Callable[[str], str]]:
         process.send_signal(signal.SIGINT)
         assert process.wait(timeout=20) == 0
     finally:
+        late.cancel()
         process.kill()
         process.wait()
 
@@ -64,23 +70,16 @@ def in_time(row: dict[str, str]) -> bool:
     return 0.0 <= float(row["frame"]) - float(row["planned"]) < 0.1 and float(row["real"]) >= float(row["frame"])
 
 
-def test_cues_over_a_websocket(tmp_path: Path) -> None:
-    scope: dict[str, object] = {}
-    exec(block("def present"), scope)
-    with running(tmp_path, "ws://127.0.0.1:0") as said:
-        address = said("Events are taken").split()[-1].rstrip(".")
-        scope["present"](["smile", "aside"], 0.1, address)  # type: ignore[operator]
-        found = onsets(tmp_path, "smiled", "averted")
-    assert in_time(found["smiled"]) and in_time(found["averted"])
-
-
-def test_cues_over_lsl(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_cues_over_a_websocket_and_lsl(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pylsl")
     monkeypatch.setenv("LSLAPICFG", str(LSL))
-    scope: dict[str, object] = {}
-    exec(block("outlet.push_sample"), scope)
-    with running(tmp_path, "lsl://Cues"):
-        assert scope["outlet"].wait_for_consumers(20)  # type: ignore[attr-defined]
-        scope["cue"]("smile")  # type: ignore[operator]
-        found = onsets(tmp_path, "smiled")
-    assert in_time(found["smiled"])
+    name, scope = f"Cues {time.monotonic_ns()}", dict[str, Any]()
+    exec(block("def present"), scope)
+    exec(block("outlet.push_sample").replace('"Cues"', f'"{name}"'), scope)
+    with running(tmp_path, "ws://127.0.0.1:0", f"lsl://{name}") as said:
+        address = said("listens at").split()[-1].rstrip(".")
+        assert scope["outlet"].wait_for_consumers(20)
+        scope["cue"]("smile")
+        scope["present"](["aside"], 0.1, address)
+        found = onsets(tmp_path, "smiled", "averted")
+    assert in_time(found["smiled"]) and in_time(found["averted"])

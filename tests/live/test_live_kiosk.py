@@ -1,4 +1,4 @@
-"""The kiosk's example does what the patent's kiosk does, at its scripted events."""
+"""The kiosk's example does what the patent's kiosk does: at its scripted events, and in a run that sees persons."""
 
 from __future__ import annotations
 
@@ -11,8 +11,16 @@ import pytest
 from numpy.typing import NDArray
 
 import facescript
+from facescript.compile import Settings
 from facescript.ir.play import MovingTarget
+from facescript.ir.values import Point
+from facescript.live.model import Happening, Sighting
+from facescript.live.opening import open_play
+from facescript.live.run.run import Run
 from facescript.space.path import Path as Way
+from facescript.speech.estimate import EstimatedVoice
+from facescript.text import Source
+from facescript.world import World
 
 Course = Mapping[str, NDArray[np.float64]]
 
@@ -80,3 +88,43 @@ def test_a_touch_excites_a_no_makes_a_frown_and_a_key_the_inquisitive_look(cours
     assert during(course, "brow.lower.left", 24.6, 25.8).min() > 0.5
     asked = [during(course, f"brow.outer.{side}", 27.6, 28.8) for side in ("left", "right")]
     assert asked[0].max() < 0.2 and asked[1].min() > 0.5
+
+
+PERSONS = {
+    "person 1": (2.0, lambda time: Point(-60 + 9 * time, 0, 100)),
+    "person 2": (3.0, lambda time: Point(250 - 25 * time, 0, 160)),
+    "person 3": (4.0, lambda time: Point(-280 + 25 * time, 0, 200)),
+}
+"""When each arrives, and where she is; the first is nearest, and the others pass behind her."""
+
+SLOW = 6.0
+GONE = 13.0
+
+
+def test_a_run_follows_one_of_three_and_attracts_again_when_all_have_gone() -> None:
+    play, _ = open_play(Source("kiosk.face", (ROOT / "examples" / "kiosk.face").read_text()), World(ROOT), Settings())
+    assert play is not None
+    run = Run(play, EstimatedVoice(), SLOW)
+    waiting = [Happening("arrives", time, person=person) for person, (time, _) in PERSONS.items()]
+    waiting += [Happening("touched", 5.0, "Who is there?")]
+    waiting += [Happening("leaves", GONE + 1.0, person=person) for person in PERSONS]
+    waiting += [Happening("signal", GONE + 3.0, "absence")]
+    found = []
+    for number in range(int((GONE + 5.2) * SLOW)):
+        time = number / SLOW
+        for person, (start, way) in PERSONS.items():
+            if start <= time < GONE:
+                run.see(Sighting(person, time, way(time)))
+        while waiting and waiting[0].time <= time:
+            run.hear(waiting.pop(0))
+        found.append(run.frame(number).values)
+    times, values = np.arange(len(found)) / SLOW, np.array(found).T
+    live = {"time": times, **dict(zip(run.layout.names, values, strict=True))}
+    _, first = PERSONS["person 1"]
+    sides = [FLAT * degrees(atan2(first(time).x, first(time).z)) for time in times]
+    followed = (times > 9.8) & (times < GONE - 0.2)
+    assert np.abs(live["gaze.yaw"] - sides)[followed].max() < 3.0
+    assert during(live, "cheek.lower.left", 2.6, 4.9).min() > 0.5
+    assert np.ptp(during(live, "gaze.yaw", 5.1, 6.7)) > 10.0
+    assert np.ptp(during(live, "head.yaw", 5.1, 6.7)) < 3.0
+    assert np.ptp(during(live, "gaze.yaw", 0.0, 1.9)) > 30.0 < np.ptp(during(live, "gaze.yaw", GONE + 3, GONE + 6))

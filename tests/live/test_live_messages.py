@@ -6,7 +6,7 @@ import json
 from contextlib import suppress
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from facescript.ir.values import Point
@@ -54,6 +54,7 @@ def test_nonsense_is_told(said: str | bytes) -> None:
     assert len(told.value.args[0]) < 2 * LONGEST
 
 
+@settings(max_examples=40, deadline=None)
 @given(st.binary(max_size=200))
 def test_bytes_are_a_message_or_none(said: bytes) -> None:
     with suppress(Nonsense):
@@ -65,6 +66,7 @@ TIME = st.floats(0.0, 1e6)
 PLACE = st.builds(Point, *[st.floats(-1e4, 1e4)] * 3)
 
 
+@settings(max_examples=40, deadline=None)
 @given(
     st.one_of(
         st.builds(Happening, st.sampled_from(["heard", "touched", "key", "signal"]), TIME, PLAIN),

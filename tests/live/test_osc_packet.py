@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from facescript.live.messages import Nonsense
@@ -38,6 +38,7 @@ def test_nonsense_is_none(packet: bytes) -> None:
         messages(packet)
 
 
+@settings(max_examples=50, deadline=None)
 @given(st.one_of(st.binary(max_size=120), st.binary(max_size=60).map(lambda data: bundle(data, HEARD[:20] + data))))
 def test_any_bytes_are_read_or_refused(packet: bytes) -> None:
     try:

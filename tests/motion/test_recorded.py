@@ -12,6 +12,8 @@ from scripted import Letters
 
 from facescript.cli.main import main
 from facescript.compile import compile_source
+from facescript.live.model import Happening
+from facescript.live.run.run import Run
 from facescript.motion.perform import perform
 from facescript.owners.account import Accounts
 from facescript.performance.channels import NAMES
@@ -167,3 +169,19 @@ def test_it_is_told_who_owned_a_channel(folder: Path) -> None:
         assert account.value == pytest.approx(perform(score).pose(1.0)[name])
         assert name == "head.roll" or (account.owner and account.owner.what == 'play "smile.csv"')
     assert accounts.at("mouth.open", 1.0).owner is None
+
+
+def test_a_run_plays_as_a_build_does_and_goes_on_over_an_event(folder: Path) -> None:
+    """The eyes that a take has are not let go where the rest of the play is planned anew."""
+    lines = 'play "smile.csv"\nwait 1s\nwhen signal "x":\n    add AU1 50%\n'
+    text = HEAD.format(life="still") + lines
+    built = perform(scored(folder, lines)).sample_face("ada", np.arange(60) / 60)[:, : len(NAMES)]
+    compiled = compile_source(Source("s.face", text), World(folder), Letters())
+    assert compiled.play is not None
+    run = Run(compiled.play, Letters(), 60.0)
+    early = [run.frame(number).values for number in range(30)]
+    run.hear(Happening("signal", 0.5, "x"))
+    late = [run.frame(number).values for number in range(30, 60)]
+    eye = NAMES.index("eye.left.yaw")
+    assert np.array(early + late)[:, eye] == pytest.approx(built[:, eye])
+    assert late[-1][NAMES.index("brow.inner.left")] == pytest.approx(0.5)

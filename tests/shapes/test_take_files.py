@@ -150,6 +150,7 @@ def test_a_table_of_several_faces_has_columns_of_each() -> None:
         ("time,lid.left\n0,1\n0,1\n", 3, "its time does not come after the one above it"),
         ("time,lid.left\n0,inf\n", 2, "`inf` in the column `lid.left` is no finite number"),
         ('time,"lid.left\n0,1', 0, "unexpected end of data"),
+        ("1 " + 100_000 * " ", 1, "it is no recorded face"),
         ("2.1 x.fap 0 1\n", 1, "0 frames a second are not within 1 and 1000"),
         ("2.1 x.fap 25 99999999\n", 1, "it says that it has 99999999 frames; 1 to 36000 can be played"),
         ("2.1 x.fap 25 2\n" + fap({3: 1}).partition("\n")[2], 0, "it ends after 1 of its 2 frames"),

@@ -16,6 +16,7 @@ from facescript.motion.drivers import Floats
 from facescript.motion.perform import FaceMotion, Memories, perform
 from facescript.schedule.onwards import Onwards, Told, lines_of, nothing
 from facescript.schedule.score import Score
+from facescript.schedule.steps import TooMany
 from facescript.speech.model import VoiceBox
 
 STEP, STEPS = 2.0, 3
@@ -49,7 +50,7 @@ class Run:
         self._company = Company(self._onwards)
         self._shift = inf
         self._speak(play)
-        self._time, self._solved = 0.0, 0.0
+        self._time, self._solved, self._missed = 0.0, 0.0, 0
         self._waiting: list[Happening] = []
         self._heeded: list[Mark] = []
         self._marks, self._utterances = Marks(), Utterances()
@@ -88,7 +89,8 @@ class Run:
 
     def doubts(self) -> dict[str, int]:
         """The sightings that were not believed, and why."""
-        return self._company.doubts()
+        missed = {"moments of more statements than can be solved": self._missed} if self._missed else {}
+        return {**self._company.doubts(), **missed}
 
     # ------------------------------------------------------------------------------------------------ what comes out
 
@@ -127,7 +129,7 @@ class Run:
             else:
                 self._solved = step
                 self._forget(step - LATELY)
-                self._solve(step)
+                self._solve(min(step, self._number(step) / self._fps))
                 self._company.forget(self.score)
 
     def _nearest(self, time: float) -> bool:
@@ -150,7 +152,7 @@ class Run:
         heeded = [self._onwards.heed(event) for event in now]
         self._heeded += (of_event(event) for event, waited in zip(now, heeded, strict=True) if waited)
         if any(heeded) or any(event.person for event in now):
-            self._solve(now[0].time)
+            self._solve(min(now[0].time, number / self._fps))
 
     def _forget(self, time: float) -> None:
         """What is over by a time is not worked out again."""
@@ -167,7 +169,11 @@ class Run:
     def _solve(self, time: float) -> None:
         """Go on from a time by what is known now."""
         self._company.meet()
-        self.score = self._onwards.solve((self._solved // STEP + STEPS) * STEP)
+        try:
+            self.score = self._onwards.solve((self._solved // STEP + STEPS) * STEP)
+        except TooMany:
+            self._missed += 1
+            return
         for name, curves in self._curves.items():
             curves.turn(time, self._motion(self.score, name))
         scenes = {(scene.name, scene.again) for scene in self.score.scenes}

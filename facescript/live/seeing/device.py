@@ -18,6 +18,9 @@ AGAIN = 1.0
 
 FPS = 30
 
+SILENT = 0
+"""OpenCV's level of saying nothing."""
+
 Timed = tuple[Picture, float]
 
 
@@ -33,13 +36,19 @@ class Device(Protocol):
 
 def camera(number: int, size: tuple[int, int]) -> Device:
     """The camera of a number, asked for pictures of a size."""
-    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)  # that a camera is not there, we say ourselves
+    _hush()
     device = cv2.VideoCapture(number)
     device.set(cv2.CAP_PROP_FRAME_WIDTH, size[0])
     device.set(cv2.CAP_PROP_FRAME_HEIGHT, size[1])
     device.set(cv2.CAP_PROP_FPS, FPS)
     device.set(cv2.CAP_PROP_BUFFERSIZE, 1)
     return device
+
+
+def _hush() -> None:
+    """That a camera is not there, we say ourselves. What sets this has another place from version to version."""
+    hush: Any = getattr(cv2, "setLogLevel", None) or cv2.utils.logging.setLogLevel
+    hush(SILENT)
 
 
 @dataclass(slots=True)
@@ -52,9 +61,16 @@ class Grabber:
     now: Callable[[], float]
     delay: float
     counts: Counter[str] = field(default_factory=Counter)
+    fault: Exception | None = None
 
     def grab(self, newest: Newest[Timed], stop: Event) -> None:
-        """Until it is told to stop."""
+        """Until it is told to stop; what it cannot go on after is its `fault`."""
+        try:
+            self._grab(newest, stop)
+        except Exception as fault:  # it is raised by who takes the pictures
+            self.fault = fault
+
+    def _grab(self, newest: Newest[Timed], stop: Event) -> None:
         while not stop.is_set():
             device = self.opened()
             try:

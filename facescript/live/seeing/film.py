@@ -21,6 +21,12 @@ FORMS = "mov,mp4,matroska,webm,avi"
 LARGEST = 4 << 30
 """Bytes of a video."""
 
+LEAST = 40
+"""Pixels of a picture's shorter side."""
+
+BLUE_FIRST = "format=rgb24,colorchannelmixer=rr=0:rb=1:br=1:bb=0"
+"""Red and blue change places, in ffmpeg's words: that costs this program nothing."""
+
 LONGEST_HEAD = 64
 
 
@@ -33,7 +39,7 @@ def pictures(path: Path, size: tuple[int, int]) -> Generator[Picture, None, None
     scaled = f"scale=w='min({width},iw)':h='min({height},ih)':force_original_aspect_ratio=decrease"
     words = [imageio_ffmpeg.get_ffmpeg_exe(), "-hide_banner", "-loglevel", "error", "-nostdin", "-threads", "1"]
     words += ["-protocol_whitelist", "file,pipe", "-format_whitelist", FORMS, "-i", f"file:{path}", "-map", "0:v:0"]
-    words += ["-vf", f"fps={FPS},{scaled}", "-c:v", "ppm", "-f", "image2pipe", "-"]
+    words += ["-vf", f"fps={FPS},{scaled},{BLUE_FIRST}", "-c:v", "ppm", "-f", "image2pipe", "-"]
     quiet = subprocess.DEVNULL
     process = subprocess.Popen(words, stdin=quiet, stdout=subprocess.PIPE, stderr=quiet)
     try:
@@ -41,6 +47,8 @@ def pictures(path: Path, size: tuple[int, int]) -> Generator[Picture, None, None
         picture = _picture(process.stdout)
         if picture is None:
             raise ValueError("there is no picture in it that can be read (MP4, MOV, MKV, WebM or AVI)")
+        if min(picture.shape[:2]) < LEAST:
+            raise ValueError(f"its pictures are smaller than {LEAST} pixels")
         while picture is not None:
             yield picture
             picture = _picture(process.stdout)
@@ -50,7 +58,7 @@ def pictures(path: Path, size: tuple[int, int]) -> Generator[Picture, None, None
 
 
 def _picture(stream: IO[bytes]) -> Picture | None:
-    """The next picture of a stream of PPM pictures, blue first; None where it ends."""
+    """The next picture of a stream of PPM pictures; None where it ends."""
     head = [stream.readline(LONGEST_HEAD) for _ in range(3)]
     if head[0] != b"P6\n" or head[2] != b"255\n":
         return None
@@ -58,5 +66,4 @@ def _picture(stream: IO[bytes]) -> Picture | None:
     data = stream.read(width * height * 3)
     if len(data) < width * height * 3:
         return None
-    red_first = np.frombuffer(data, dtype=np.uint8).reshape(height, width, 3)
-    return np.ascontiguousarray(red_first[:, :, ::-1])
+    return np.frombuffer(data, dtype=np.uint8).reshape(height, width, 3)

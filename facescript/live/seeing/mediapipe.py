@@ -27,13 +27,17 @@ def installed() -> bool:
 
 
 class MediaPipe:
-    """It looks at whole pictures alone: that takes it a few milliseconds."""
+    """It looks at whole pictures alone: that takes it a few milliseconds. Raises `OSError` where it does not start."""
 
     width = FACE
 
     def __init__(self) -> None:
-        import mediapipe
-
+        try:
+            import mediapipe
+        except ImportError as fault:
+            raise OSError(
+                f"MediaPipe is installed and does not start ({fault}); `by=cascade` goes without it"
+            ) from None
         solution = mediapipe.solutions.face_detection
         self._detection: Any = solution.FaceDetection(model_selection=FAR, min_detection_confidence=SURE)
 

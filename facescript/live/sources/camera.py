@@ -42,8 +42,8 @@ def opened(address: str, setting: Setting) -> Source:
         found = options(query, film.wide_cm * film.height / film.width / 2)
         number = None if scheme == "video" else _number(name)
     except ValueError as fault:
-        example = f"{scheme}:{name or 0}?fov=60&tilt=-30"
-        raise AddressFault("FS981", address=address[:LONGEST], reason=fault, example=example[:LONGEST]) from None
+        example = "camera:0?fov=60&tilt=-30" if scheme == "camera" else "video:visit.mp4?fov=60"
+        raise AddressFault("FS981", address=address[:LONGEST], reason=fault, example=example) from None
     try:
         watcher = Watcher(found.camera, _finder(found), _signals(setting))
         if number is None:
@@ -100,6 +100,8 @@ class CameraSource:
     def _watch(self, teller: Teller, stop: Event) -> None:
         Thread(target=self._grabber.grab, args=(self._newest, stop), name="grabber", daemon=True).start()
         while not stop.is_set():
+            if self._grabber.fault is not None:
+                raise OSError(f"it cannot be used ({self._grabber.fault})") from self._grabber.fault
             taken = self._newest.take(BLIND)
             if taken is None:
                 tell(teller, self._watcher.blind(self._grabber.now() - self._grabber.delay))

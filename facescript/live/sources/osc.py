@@ -47,7 +47,7 @@ class Osc(asyncio.DatagramProtocol):
         try:
             host, port = transport.get_extra_info("sockname")[:2]
             shown = f"[{host}]" if ip_address(host).version == 6 else host
-            self._setting.tell(f"Events are taken at osc://{shown}:{port}.")
+            self._setting.tell(f"The run listens at osc://{shown}:{port}.")
             await asyncio.Event().wait()
         finally:
             transport.close()

@@ -37,7 +37,7 @@ class GazeTrack:
         """What was worked out for the same room `before`, of shifts that stay as they are, is not worked out again."""
         self._stage = score.film, score.faces, score.targets
         same = before is not None and before._stage == self._stage and not before.room.live
-        self.room = room = before.room if before is not None and same else Room(*self._stage)
+        self.room: Room = before.room if before is not None and same else Room(*self._stage)
         known = {one.start: one.bounds for one in before.scenes} if before is not None and same else {}
         acts = [act for act in score.acts if act.face == face.name and act.plan]
         self.starts = np.array([scene.start for scene in score.scenes] or [0.0])
@@ -46,7 +46,7 @@ class GazeTrack:
             planned = [(plan.starts, act.order, plan) for act in acts if act.scene == number for plan in act.plan]
             plans = [plan for _, _, plan in sorted(planned, key=lambda each: each[:2])]
             end = score.scenes[number].end + AFTERWARDS if score.scenes else inf
-            there = room.of(float(start))
+            there = self.room.of(float(start))
             self.scenes.append(SceneGaze(there, face, float(start), end, plans, known.get(float(start), {})))
 
     def sight(self, times: Floats) -> Floats:

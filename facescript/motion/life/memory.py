@@ -22,6 +22,10 @@ Key = tuple[object, ...]
 """What a behaviour is known by: the place of its dice, and its name."""
 
 
+MOST = 1024
+"""Names of which it is remembered how often each was there."""
+
+
 @dataclass(slots=True)
 class _Renewing:
     """The events of a renewal process, since when it had waited at first, and when none of them could begin."""
@@ -82,9 +86,20 @@ class Memory:
 
 def _later(earlier: Earlier, lines: Iterable[TimedLine], acts: Iterable[TimedAct], turn: Turn | None) -> Earlier:
     acts = list(acts)
+    lived = (act.verb.life.name for act in acts if isinstance(act.verb, SetLife))
     return Earlier(
-        earlier.said + Counter(map(text_of, lines)),
-        earlier.shifted + Counter(shift_name(act) for act in acts if act.plan),
-        earlier.lived + Counter(act.verb.life.name for act in acts if isinstance(act.verb, SetLife)),
+        _counted(earlier.said, map(text_of, lines)),
+        _counted(earlier.shifted, (shift_name(act) for act in acts if act.plan)),
+        _counted(earlier.lived, lived),
         turn,
     )
+
+
+def _counted(before: Counter[str], names: Iterable[str]) -> Counter[str]:
+    """Counts with those of further names; the oldest names go where there are too many."""
+    counts = Counter(before)
+    for name in names:
+        counts[name] = counts.pop(name, 0) + 1
+        while len(counts) > MOST:
+            del counts[next(iter(counts))]
+    return counts

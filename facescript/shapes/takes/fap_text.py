@@ -15,6 +15,9 @@ from facescript.shapes.takes.model import MOST_FRAMES, Found, NotATake, counted,
 HEAD = re.compile(r"\s*\d+(?:\.\d+)*\s+(?:\S.*\s)?\s*(\d{1,4})\s+(\d{1,9})\s*")
 """Version, name, frames a second, frames."""
 
+LONGEST_HEAD = 1000
+"""Characters of a first line: in a longer one the name's end is not sought."""
+
 FAPS = 68
 MOST_RATE = 1000
 MOST = 1_000_000
@@ -25,7 +28,7 @@ Lines = Iterator[tuple[int, str]]
 
 def is_fap(line: str) -> bool:
     """Whether a first line is one of such a file."""
-    return HEAD.fullmatch(line) is not None
+    return len(line) <= LONGEST_HEAD and HEAD.fullmatch(line) is not None
 
 
 def read_fap(path: str, first: str, lines: Lines) -> Found:

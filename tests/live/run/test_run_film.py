@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from running import FPS, Floats, rows, running
+from hypothesis import given, settings
+from running import FPS, Floats, happenings, rows, running, scripts
 from scripted import Letters
 
 from facescript.compile import compile_source
 from facescript.live.model import Happening
 from facescript.motion.perform import perform
+from facescript.schedule.score import Score
+from facescript.space.plan import GazePlan
 from facescript.text import Source
 from facescript.world import World
 
@@ -61,10 +65,39 @@ when key "q":
 """
 
 
-def film(text: str) -> Floats:
-    compiled = compile_source(Source("made.face", text + EVENTS), World(Path(__file__).parent), Letters())
+def built(text: str) -> Score:
+    compiled = compile_source(Source("made.face", text), World(Path(__file__).parent), Letters())
     assert compiled.score is not None, [item.message for item in compiled.diagnostics]
-    return perform(compiled.score).sample(np.arange(int(8.0 * FPS)) / FPS)
+    return compiled.score
+
+
+def film(text: str) -> Floats:
+    return perform(built(text + EVENTS)).sample(np.arange(int(8.0 * FPS)) / FPS)
+
+
+@settings(max_examples=4, deadline=None)
+@given(scripts(), happenings(8, 12.0))
+def test_all_that_is_written_is_done_when_the_film_does_it(text: str, events: list[Happening]) -> None:
+    lines = [f"{one.person} arrives" if one.person else f'heard "{one.text}"' for one in events]
+    scripted = "".join(f"event {line} at {one.time}s\n" for line, one in zip(lines, events, strict=True))
+    score = built(text.replace("film ", "film 40s long, ") + scripted)
+    run = running(text, [Happening("arrives", 1.0, person="ann"), *events], fps=2.0)
+    for number in range(2, 28, 2):
+        run.frame(number)
+        second = number / 2.0
+        assert begun(run.score, second - 1.0, second) == begun(score, second - 1.0, second)
+
+
+def begun(score: Score, start: float, end: float) -> list[tuple[object, ...]]:
+    """What begins in a stretch of time: acts with their first shift of gaze, and lines."""
+    acts = ((round(act.start, 6), act.face, act.verb, *_landing(act.plan[:1])) for act in score.acts)
+    lines = ((round(line.start, 6), line.face, line.text) for line in score.lines)
+    return sorted((one for one in (*acts, *lines) if start <= one[0] < end), key=repr)
+
+
+def _landing(plans: tuple[GazePlan, ...]) -> Iterator[object]:
+    for plan in plans:
+        yield from (plan.aim, plan.parts, round(plan.eye_onset, 6), round(plan.landed, 6), round(plan.head_done, 6))
 
 
 def test_a_still_face_is_the_film_to_the_last_digits() -> None:

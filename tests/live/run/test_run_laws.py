@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from running import FPS, Whole, happenings, rows, running, scripts, speeds
+from running import FPS, HEAD, Whole, happenings, rows, running, scripts, speeds
 
 from facescript.live.model import Happening
 
@@ -51,3 +51,18 @@ def test_frames_that_are_left_out_change_no_other(text: str, events: list[Happen
     run = running(text, events)
     for number in sorted(numbers):
         assert run.frame(number).values.tobytes() == values[number].tobytes()
+
+
+def test_a_mouth_that_is_broken_off_does_not_jump() -> None:
+    """Where the event comes it is on its way to a sound that is not said: it goes on from there."""
+    line, stop = 'say "Umbababa, a mop, a pump, maybe."', 'when heard "0":\n    say "Oh."\n'
+    text = (
+        HEAD.format(seed=1, life="still") + f"scene main:\n    repeat forever:\n        {line}\n        wait 1s\n{stop}"
+    )
+    worst = 0.0
+    for number in range(10):
+        time = 0.5 + 0.05 * number
+        run = running(text, [Happening("heard", time, "0")], fps=1000.0)
+        around = np.array([run.frame(frame).values for frame in range(int(time * 1000) - 5, int(time * 1000) + 15)])
+        worst = max(worst, np.abs(np.diff(around, axis=0)).max())
+    assert worst < 0.06

@@ -75,3 +75,18 @@ def test_an_event_before_the_last_frame_is_at_it() -> None:
     run.hear(Happening("heard", 0.1, "no"))
     run.frame(60)
     assert [(mark.kind, mark.time) for mark in run.marks(1.0) if mark.kind == "event"] == [("event", 59 / FPS)]
+
+
+def test_more_than_can_be_solved_is_counted_and_the_face_goes_on() -> None:
+    body = "    repeat 1000 times:\n        repeat 1000 times:\n            wait 0s\n"
+    run = running(f'face ada = woman\nwait 1s\nwhen heard "no":\n{body}', [Happening("heard", 0.5, "no")])
+    assert len([run.frame(number) for number in range(60)]) == 60
+    assert run.doubts() == {"moments of more statements than can be solved": 1}
+
+
+def test_a_long_scene_is_told_to_its_end() -> None:
+    """Only some hundreds of statements are looked ahead; what stands beside them is done at its time wherever it is."""
+    text = "face ada = woman\n    life still\n" + "wait 20ms\n" * 400 + "at 1s: nod\nshake as last\n"
+    marks, _ = told(running(text), 9.0)
+    done = [(mark.text.split()[0], round(mark.time, 3)) for mark in marks if mark.kind == "act"]
+    assert done == [("nod", 1.0), ("shake", 8.0)]

@@ -87,24 +87,14 @@ def paste(ground: Colours, over: Colours, left: int, top: int) -> None:
 
 
 def film(path: Path, pictures: Iterable[Picture]) -> None:
-    """A film of pictures, `FPS` a second."""
+    """A film of pictures of one size, `FPS` a second."""
+    first, *others = pictures
     words = [imageio_ffmpeg.get_ffmpeg_exe(), "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "bgr24"]
-    words += [
-        "-s",
-        f"{WIDE}x{HIGH}",
-        "-r",
-        str(FPS),
-        "-i",
-        "-",
-        "-preset",
-        "ultrafast",
-        "-pix_fmt",
-        "yuv420p",
-        str(path),
-    ]
+    words += ["-s", f"{first.shape[1]}x{first.shape[0]}", "-r", str(FPS), "-i", "-"]
+    words += ["-preset", "ultrafast", "-pix_fmt", "yuv420p", str(path)]
     with subprocess.Popen(words, stdin=subprocess.PIPE) as process:
         assert process.stdin is not None
-        for picture in pictures:
+        for picture in (first, *others):
             process.stdin.write(picture.tobytes())
         process.stdin.close()
     assert process.returncode == 0

@@ -6,6 +6,7 @@ import asyncio
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from facescript.compile import Settings
@@ -23,15 +24,24 @@ from facescript.world import World
 
 cv2 = pytest.importorskip("cv2", reason="the package opencv-python-headless is not installed")
 
-from drawn import FPS, film, scene  # noqa: E402
+from drawn import FPS, HIGH, WIDE, film, scene  # noqa: E402
 
 from facescript.live.seeing.cascade import Cascade  # noqa: E402
 from facescript.live.seeing.device import Device, Grabber  # noqa: E402
+from facescript.live.seeing.film import pictures  # noqa: E402
 from facescript.live.seeing.watch import Watcher  # noqa: E402
 from facescript.live.sources.camera import CameraSource  # noqa: E402
 
 SECONDS = 1.0
 SCRIPT = "film 640x480, 40cm wide\nwhen person arrives as guest:\n    look at guest\n"
+
+
+class FilmClock(WallClock):
+    """Goes at half the speed of this machine's while the film plays, so that one which has much to do keeps up, and
+    fast thereafter."""
+
+    def now(self) -> float:
+        return min(0.5 * super().now(), SECONDS) + max(0.0, super().now() - 2 * SECONDS) * 8
 
 
 class Heard:
@@ -79,7 +89,7 @@ async def hear(source: Source, heard: Heard, enough: Callable[[], bool]) -> None
 
 
 async def test_a_video_plays_in_its_own_time_and_tells_who_walks_by(walk: Path) -> None:
-    clock = WallClock()
+    clock = FilmClock()
     source, heard = open_source(f"video:{walk.name}?by=cascade", setting(walk.parent, clock)), Heard(clock)
     await hear(source, heard, lambda: "leaves" in heard.comings)
     assert heard.comings == ["arrives", "leaves"]
@@ -91,6 +101,20 @@ async def test_a_video_plays_in_its_own_time_and_tells_who_walks_by(walk: Path) 
     counts = source.counts()
     assert counts["pictures"] + counts["passed over"] == SECONDS * FPS and counts["arrived"] == 1
     assert min(heard.ages) >= 0.0
+
+
+def test_pictures_of_a_video_have_blue_first_and_are_no_larger_than_asked_for(tmp_path: Path) -> None:
+    red = np.full((HIGH, WIDE, 3), (20, 40, 200), dtype=np.uint8)
+    film(tmp_path / "red.mp4", [red] * 6)
+    found = list(pictures(tmp_path / "red.mp4", (320, 320)))
+    assert len(found) == 6 and {picture.shape for picture in found} == {(240, 320, 3)}
+    assert np.abs(found[0].mean(axis=(0, 1)) - (20, 40, 200)).max() < 12
+
+
+def test_pictures_in_which_there_is_no_room_for_a_face_are_refused(tmp_path: Path) -> None:
+    film(tmp_path / "wide.mp4", [np.zeros((2, WIDE, 3), dtype=np.uint8)] * 6)
+    with pytest.raises(ValueError, match="smaller than 40 pixels"):
+        list(pictures(tmp_path / "wide.mp4", (640, 480)))
 
 
 async def test_a_camera_that_goes_away_is_tried_again(walk: Path, monkeypatch: pytest.MonkeyPatch) -> None:
