@@ -60,4 +60,14 @@ TALK: tuple[Entry, ...] = (
         "What is heard is one of the texts of `when heard`.",
         stage="unforced",
     ),
+    Entry(
+        "FS995",
+        "told-often",
+        Severity.ERROR,
+        "The run takes this statement no more: {reason}; tell it again later.",
+        HELLO,
+        HELLO,
+        "A statement is taken ten times a second, and all that a run is told sixty times.",
+        stage="unforced",
+    ),
 )

@@ -85,7 +85,7 @@ class Listening:
 
     async def _listen(self, teller: Teller) -> None:
         """One process, from its beginning to its end."""
-        words = [sys.executable, "-m", "facescript.live.hearing.program"]
+        words = [sys.executable, "-P", "-m", "facescript.live.hearing.program"]
         head = json.dumps({"phrases": self._texts, "least": self._manner.least}).encode()
         process = await asyncio.create_subprocess_exec(*words, stdin=PIPE, stdout=PIPE, stderr=DEVNULL)
         try:

@@ -101,7 +101,7 @@ class Conversation:
         self._ears: list[Told] = []
         self._time, self._frame = 0.0, 1.0 / fps
         self._silent: dict[str, float] = {}
-        self._counts = {"told": 0, "refused": 0}
+        self._counts = {"told": 0, "refused": 0, "answers dropped": 0}
         self._mouth = ThreadPoolExecutor(1, "voice")
 
     # ------------------------------------------------------------------------------------------------ what is told
@@ -114,9 +114,12 @@ class Conversation:
         reaction = self._prompting.prompter.reaction(text, diagnostics)
         if reaction is None:
             raise self._refused(list(diagnostics))
+        self._counts["told"] += 1
         lines = says(reaction.body)
         if not lines:
-            self._event(Happening(TOLD, 0.0, text))
+            why = self._event(Happening(TOLD, 0.0, text))
+            if why is not None:
+                raise self._refused([diagnose("FS995", reaction.span, reason=why)])
             return False
         faces = {face for face, _ in lines}
         if now:
@@ -125,22 +128,21 @@ class Conversation:
             raise self._refused([diagnose("FS993", reaction.span, most=MOST)])
         spoken = self._mouth.submit(self._speak, [say for _, say in lines])
         turn = Turn(text, lines, told, spoken, [(face, say.text) for face, say in lines])
-        self._counts["told"] += 1
         self._waiting.append(turn)
         loop = asyncio.get_running_loop()
         spoken.add_done_callback(lambda _: _soon(loop, self._go_on))
         return True
 
     def interrupt(self, *faces: str) -> None:
-        """What the faces say, all if none is named, breaks off at the end of its word; what waits is dropped."""
+        """What the faces say, all if none is named, breaks off at the end of its word, though not before it has begun;
+        what waits is dropped."""
         for turn in [one for one in self._waiting if not faces or one.faces & set(faces)]:
             self._waiting.remove(turn)
             self._over(turn, "interrupted")
         for turn in self._current:
             if not turn.hushed and (not faces or turn.faces & set(faces)):
-                turn.hushed = True
-                for face in sorted(turn.faces):  # not before it begins
-                    self._event(Happening(HUSHED, turn.since, face))
+                whys = [self._event(Happening(HUSHED, turn.since, face)) for face in sorted(turn.faces)]
+                turn.hushed = not any(whys)
 
     def speaking(self) -> dict[str, str]:
         """What each face is saying that is saying something, by its name."""
@@ -154,6 +156,10 @@ class Conversation:
         """Tells of all that begins: words, events that were heeded, acts. Ends when what it gives is called."""
         self._ears.append(told)
         return lambda: self._ears.remove(told)
+
+    def unread(self) -> None:
+        """A program does not read what it is told, and is told no more for now."""
+        self._counts["answers dropped"] += 1
 
     def _refused(self, diagnostics: list[Diagnostic]) -> Refused:
         self._counts["refused"] += 1

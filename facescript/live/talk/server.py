@@ -49,8 +49,10 @@ class Talk:
         waiting = asyncio.Queue[str](BEHIND)
 
         def send(answer: dict[str, object]) -> None:
-            with suppress(asyncio.QueueFull):
+            try:
                 waiting.put_nowait(json.dumps(answer))
+            except asyncio.QueueFull:
+                self._conversation.unread()
 
         guest = Guest(self._conversation, self._faces, send)
         sending = asyncio.create_task(_send(connection, waiting))

@@ -85,6 +85,25 @@ async def test_an_interrupted_line_breaks_off_and_what_waits_is_dropped() -> Non
         assert [text for text, _ in lines(notes)] == ["This goes on and on, and on, and on, and on."]
 
 
+async def test_what_is_told_with_now_does_not_wait() -> None:
+    async with talked_to("talk://127.0.0.1:0") as (place, notes, _), connect(port_of(place)) as talk:
+        long = await talk.do('say "This goes on and on, and on, and on, and on."')
+        while not await talk.speaking():
+            await asyncio.sleep(0.02)
+        short = await talk.do('say "Stop."', now=True)
+        assert [await long.over(), await short.over()] == ["interrupted", "said"]
+        (_, begun), (text, then) = lines(notes)
+        assert text == "Stop." and then - begun < 1.0
+
+
+async def test_a_flood_of_statements_is_refused_and_told() -> None:
+    async with talked_to("talk://127.0.0.1:0") as (place, _, gate), connect(port_of(place)) as talk:
+        found = await asyncio.gather(*(talk.do(f"look left {n + 1}deg") for n in range(300)), return_exceptions=True)
+        refused = [one for one in found if isinstance(one, Refusal)]
+        assert refused and {one.diagnostics[0]["code"] for one in refused} == {"FS995"}
+        assert sum(gate.counts().values()) == 300
+
+
 async def test_what_is_wrong_is_told_with_its_diagnostic() -> None:
     async with talked_to("talk://127.0.0.1:0") as (place, _, _), connect(port_of(place)) as talk:
         with pytest.raises(Refusal) as refused:
