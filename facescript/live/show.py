@@ -22,7 +22,7 @@ SWITCHED = 0.001
 
 class Show:
     """What runs: a loop, the sinks it gives to, and the `sources` that tell its gate, by their addresses. `doubts` are
-    the sightings that were not believed, and why."""
+    the sightings that were not believed and the moments that could not be solved, and why."""
 
     def __init__(
         self,
@@ -88,7 +88,7 @@ class Show:
             "late": tally.late,
             "dropped": tally.dropped,
             "events": self._gate.counts(),
-            "persons": dict(self._doubts()),
+            "passed over": dict(self._doubts()),
             "from": {address: source.counts() for address, source in self.sources.items()},
             "to": {address: sink.counts() for address, sink in self._sinks.items()},
         }
@@ -103,7 +103,7 @@ class Show:
         )
         yield from _counted("events", self._gate.counts())
         if self._doubts():
-            yield from _counted("persons", self._doubts())
+            yield from _counted("passed over", self._doubts())
         for address, source in self.sources.items():
             yield from _counted(f"from {address}", source.counts())
         for address, sink in self._sinks.items():

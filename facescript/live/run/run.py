@@ -91,7 +91,7 @@ class Run:
         self._company.see(sighting)
 
     def doubts(self) -> dict[str, int]:
-        """The sightings that were not believed, and why."""
+        """The sightings that were not believed and the moments that could not be solved, and why."""
         missed = {"moments of more statements than can be solved": self._missed} if self._missed else {}
         return {**self._company.doubts(), **missed}
 

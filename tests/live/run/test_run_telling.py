@@ -90,3 +90,10 @@ def test_a_long_scene_is_told_to_its_end() -> None:
     marks, _ = told(running(text), 9.0)
     done = [(mark.text.split()[0], round(mark.time, 3)) for mark in marks if mark.kind == "act"]
     assert done == [("nod", 1.0), ("shake", 8.0)]
+
+
+def test_faces_that_are_only_heard_have_no_channels_but_lines() -> None:
+    run = running('face narrator = unseen, voice en-gb\nscene main:\n    say "Good evening."\n', [])
+    assert run.layout.names == () and run.frame(0).values.shape == (0,)
+    marks, spoken = told(run, 1.0)
+    assert [mark.text for mark in marks if mark.kind == "line"] == ["Good evening."] and len(spoken) == 1
