@@ -12,6 +12,7 @@ from facescript.schedule.facts import Hold
 from facescript.schedule.labels import nodes
 from facescript.schedule.round import Begin, Round
 from facescript.schedule.steps import DONE, NEVER, SETTLED, START, Begun, Past, Root, Step, ends_in_line
+from facescript.schedule.voices import CLOSE
 
 DONE_AT = NEVER, False
 """Stands for a time that nobody asked for."""
@@ -121,10 +122,11 @@ def reactions_over(solved: Round, numbers: Mapping[int, int], forgetting: Forget
 
 
 def _waits(deed: Deed, hold: Hold, forgetting: Forgetting) -> bool:
-    """Whether a line that is not over waits for a voice that a reaction has, or was broken off by it."""
+    """Whether a line that is solved again waits for a voice that a reaction has, or was broken off by it."""
     if not isinstance(deed.verb, Say) or id(deed.step) not in forgetting.live or deed.face != hold.face:
         return False
-    return deed.root.rank < hold.rank and forgetting.said.get(id(deed.step), deed.start) < hold.end
+    until = hold.end + hold.gap + CLOSE  # a line that has waited begins then
+    return deed.root.rank < hold.rank and forgetting.said.get(id(deed.step), deed.start) < until
 
 
 def begin_of(solved: Round, time: float) -> Begin:

@@ -9,7 +9,7 @@ import socket
 import subprocess
 import time
 from collections.abc import AsyncIterator, Iterator
-from contextlib import asynccontextmanager, contextmanager
+from contextlib import asynccontextmanager, contextmanager, suppress
 from http.client import HTTPConnection
 from pathlib import Path
 
@@ -294,10 +294,20 @@ def broker(tmp_path: Path) -> Iterator[int]:
     (tmp_path / "broker.conf").write_text(f"listener {port} 127.0.0.1\nallow_anonymous true\n")
     process = subprocess.Popen([program, "-c", str(tmp_path / "broker.conf")], stderr=subprocess.DEVNULL)
     try:
+        _listens(port)
         yield port
     finally:
         process.terminate()
         process.wait(timeout=10)
+
+
+def _listens(port: int) -> None:
+    """Waits until somebody listens at a port."""
+    end = time.monotonic() + 20
+    while time.monotonic() < end:
+        with suppress(OSError), socket.create_connection(("127.0.0.1", port), 1):
+            return
+        time.sleep(0.02)
 
 
 async def test_messages_of_a_broker_are_events(broker: int) -> None:

@@ -78,10 +78,28 @@ def film(text: str) -> Floats:
 @settings(max_examples=2, deadline=None)
 @given(scripts(), happenings(6, 10.0))
 def test_all_that_is_written_is_done_when_the_film_does_it(text: str, events: list[Happening]) -> None:
+    done_as_in_the_film(text, events)
+
+
+def test_a_line_that_waited_for_a_reaction_is_not_said_sooner_once_that_is_forgotten() -> None:
+    text = """film 640x360
+face ada = woman
+scene main:
+    repeat forever:
+        say "a b"
+        wait 1s
+when heard "0":
+    say "one two three four five"
+"""
+    done_as_in_the_film(text, [Happening("heard", 2.0, "0"), Happening("heard", 2.2, "0")])
+
+
+def done_as_in_the_film(text: str, events: list[Happening]) -> None:
     lines = [f"{one.person} arrives" if one.person else f'heard "{one.text}"' for one in events]
     scripted = "".join(f"event {line} at {one.time}s\n" for line, one in zip(lines, events, strict=True))
     score = built(text.replace("film ", "film 40s long, ") + scripted)
-    run = running(text, [Happening("arrives", 1.0, person="ann"), *events], fps=2.0)
+    present = [Happening("arrives", 1.0, person="ann")] if "ann" in text else []
+    run = running(text, [*present, *events], fps=2.0)
     for number in range(2, 24, 2):
         run.frame(number)
         second = number / 2.0
