@@ -3,7 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: setup demo test lint bench desk motion speech sheets docs site clean
+.PHONY: setup demo test lint bench desk live soak motion speech sheets docs site clean
 
 setup: $(VENV)/.ready
 
@@ -37,6 +37,12 @@ bench: setup
 
 desk: setup
 	$(BIN)/python benchmarks/desk
+
+live: setup
+	$(BIN)/python benchmarks/live
+
+soak: setup
+	SOAK_MINUTES=10 $(BIN)/python benchmarks/live soak flood
 
 motion: setup
 	$(BIN)/python benchmarks/motion

@@ -40,7 +40,7 @@ FAMILIES = {
     "5": "Texts and voices",
     "6": "Gaze",
     "7": "Files",
-    "8": "In the language, not in this version",
+    "8": "Live runs alone, or not in this version",
     "9": "The command line",
 }
 

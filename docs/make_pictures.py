@@ -95,7 +95,7 @@ GALLERY = {
     "dialogue": 2.0,
     "conversation": 11.0,
     "crowd": 1.2,
-    "kiosk": 13.0,
+    "kiosk": 8.0,
     "scenes": 5.4,
     "words": 1.5,
     "expressions": 5.0,

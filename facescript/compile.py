@@ -18,18 +18,20 @@ from facescript.space.haste import haste
 from facescript.space.reach import reach
 from facescript.speech.model import VoiceBox
 from facescript.syntax.parser import parse
-from facescript.syntax.tree import Script
+from facescript.syntax.tree import Item, Script, Setting
 from facescript.text import Source
 from facescript.world import World
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the command line may say over the script's head: `--set`, `--seed`, `--size`, `--fps`, `--events`."""
+    """What the command line may say over the script's head: `--set`, `--seed`, `--size`, `--fps`, `--events`. With
+    `instead` the events are not added to the script's own, but take their place."""
 
     overrides: Mapping[str, str] = field(default_factory=dict)
     film: Mapping[str, float] = field(default_factory=dict)
     events: Source | None = None
+    instead: bool = False
 
 
 class Compiled:
@@ -89,7 +91,7 @@ def compile_source(source: Source, world: World, voice: VoiceBox, settings: Sett
     """The script as far as the score; `score` is None where an error stands in the way, `diagnostics` says which."""
     settings = settings or Settings()
     diagnostics = Diagnostics()
-    script = with_events(parse(source, diagnostics), settings.events, diagnostics)
+    script = with_events(parse(source, diagnostics), settings, diagnostics)
     return of_script(script, world, voice, diagnostics, settings).finished()
 
 
@@ -111,11 +113,16 @@ def of_script(
     return Compiled(script.source, script, diagnostics, resolved, voice, settings, kept)
 
 
-def with_events(script: Script, events: Source | None, diagnostics: Diagnostics) -> Script:
+def with_events(script: Script, settings: Settings, diagnostics: Diagnostics) -> Script:
     """A script with the `event` lines of a further file."""
-    if events is None:
+    if settings.events is None:
         return script
-    return Script(script.source, script.items + parse(events, diagnostics).items)
+    own = tuple(item for item in script.items if not (settings.instead and _is_event(item)))
+    return Script(script.source, own + parse(settings.events, diagnostics).items)
+
+
+def _is_event(item: Item) -> bool:
+    return isinstance(item, Setting) and item.kind == "event"
 
 
 def _film(film: Film, changes: Mapping[str, float]) -> Film:

@@ -61,7 +61,7 @@ def script_of(
         return None
     written = write(play, world, name)
     told = Diagnostics()
-    script = with_events(parse(Source(name, written.text), told), settings.events, told)
+    script = with_events(parse(Source(name, written.text), told), settings, told)
     resolved = resolve(script, world, told, settings.overrides)
     for item in told:
         if item.severity is not Severity.HINT:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from facescript.resources import folder
@@ -77,6 +77,17 @@ class World:
         """The scripts of the standard library, in the order of their names."""
         paths = sorted(folder("stdlib").glob("*.face"))
         return tuple(Source(f"stdlib/{path.name}", path.read_text("utf-8")) for path in paths)
+
+
+@dataclass(frozen=True, slots=True)
+class ReadWorld(World):
+    """A project that keeps in mind which of its files were read, or looked for."""
+
+    names: set[str] = field(default_factory=set, hash=False, compare=False)
+
+    def read(self, name: str, largest: int = LARGEST_FILE) -> bytes:
+        self.names.add(name)
+        return World.read(self, name, largest)
 
 
 def decode(data: bytes) -> str:

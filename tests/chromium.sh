@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# What the tests take from Debian: Chromium, and the W3C's definition of SVG. Installed where it is missing and may be;
+# What the tests take from Debian: Chromium, the W3C's definition of SVG, a broker of MQTT. Installed where it is missing and may be;
 # else the tests that need it say they are skipped.
 set -u
 wanted=()
 found=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
 [ -n "$found" ] || wanted+=(chromium)
 [ -d /usr/share/xml/w3c-sgml-lib ] || wanted+=(w3c-sgml-lib)
+[ -x "$(PATH=$PATH:/usr/sbin command -v mosquitto)" ] || wanted+=(mosquitto)
 [ ${#wanted[@]} -eq 0 ] && exit 0
 if command -v apt-get >/dev/null 2>&1 && [ "$(id -u)" = 0 ]; then
     echo "installing for the tests: ${wanted[*]}"

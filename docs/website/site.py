@@ -21,6 +21,7 @@ from website.pages import (
     muscles,
     outputs,
     settings,
+    shapes,
     statements,
     values,
     words,
@@ -37,6 +38,7 @@ TABLES = (
     expressions,
     muscles,
     channels,
+    shapes,
     lives,
     kinds,
     outputs,
@@ -78,7 +80,8 @@ def written() -> tuple[Page, ...]:
 HOWTO = "announcer audio-book kiosk stimuli avatar-data two-faces own-face programs notebook".split()
 DESK = "editors writing preview playground trouble faq".split()
 REFERENCE = (
-    "blocks definitions modifiers film face values targets expressions units muscles channels lives actions".split()
+    *"blocks definitions modifiers film face values targets expressions units".split(),
+    *"muscles channels shapes lives actions".split(),
 )
 
 
@@ -89,6 +92,7 @@ def nav() -> Nav:
         {"Home": "index.md"},
         *_section(there, "Tutorial", ["tutorial.md"]),
         *_section(there, "How-tos", [*(f"howto/{name}.md" for name in HOWTO), *(f"{name}.md" for name in DESK)]),
+        *_section(there, "Live", ["live.md"]),
         *_section(there, "Language", ["language.md", "speech.md", "faces.md", "gallery.md"]),
         {"Reference": _reference(there)},
         {"Diagnostics": _diagnostics()},

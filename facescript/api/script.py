@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 from facescript.api.take import Take, loads
-from facescript.resolve.words import FACE, FILM, MODIFIERS, VALUE, Modifier
-
-Value = str | float | int | bool
-"""A number is of the unit that belongs there: seconds, a share (0.6 is 60 %), times a minute, a count; text is taken as
-it is written in the language, but in quotes where a file or a text belongs."""
+from facescript.resolve.words import FACE, FILM
+from facescript.writing.calls import Calls, Value, number, quoted, worded
 
 INDENT = "    "
 
@@ -45,7 +41,7 @@ class Script:
         self._lines: list[str] = []
         self._depth = 0
         if film:
-            self.line("film " + ", ".join(_worded(FILM, name, value)[0] for name, value in film.items()))
+            self.line("film " + ", ".join(worded(FILM, name, value)[0] for name, value in film.items()))
 
     @property
     def text(self) -> str:
@@ -58,7 +54,7 @@ class Script:
 
     def face(self, name: str, kind: str = "woman", **settings: Value) -> Actor:
         """A face of a kind, with what its definition may say."""
-        words = [f"face {name} = {kind}", *(_worded(FACE, key, value)[0] for key, value in settings.items())]
+        words = [f"face {name} = {kind}", *(worded(FACE, key, value)[0] for key, value in settings.items())]
         self.line(", ".join(words))
         return Actor(self, name)
 
@@ -68,10 +64,10 @@ class Script:
         return name
 
     def wait(self, seconds: float) -> None:
-        self.line(f"wait {_number(seconds)}s")
+        self.line(f"wait {number(seconds)}s")
 
     def scene(self, name: str, title: str = "") -> AbstractContextManager[None]:
-        return _within(self, f"scene {name} {_quoted(title)}" if title else f"scene {name}")
+        return _within(self, f"scene {name} {quoted(title)}" if title else f"scene {name}")
 
     def together(self) -> AbstractContextManager[None]:
         """What is called inside begins at once."""
@@ -82,7 +78,7 @@ class Script:
 
     def at(self, time: str | float) -> AbstractContextManager[None]:
         """At a moment: seconds, or as the language has it (`hello."cup" + 300ms`)."""
-        return _within(self, f"at {time if isinstance(time, str) else f'{_number(time)}s'}")
+        return _within(self, f"at {time if isinstance(time, str) else f'{number(time)}s'}")
 
     def repeat(self, how: str | int) -> AbstractContextManager[None]:
         """`4` times, or as the language has it."""
@@ -96,7 +92,7 @@ class Script:
         return self.take()._repr_html_()
 
 
-class Actor:
+class Actor(Calls[None]):
     """A face of a script: what is called is done by it."""
 
     def __init__(self, script: Script, name: str) -> None:
@@ -105,44 +101,8 @@ class Actor:
     def __str__(self) -> str:
         return self.name
 
-    def do(self, words: str, **modifiers: Value) -> None:
-        """A statement as it is written in the language, such as an action of a library: `do("greet(60%)")`."""
-        closer = [_worded(MODIFIERS, name, value) for name, value in modifiers.items()]
-        joined = [f"{' ' if direct else ', '}{text}" for text, direct in sorted(closer, key=lambda one: not one[1])]
-        self._script.line(f"{self.name}: {words}{''.join(joined)}")
-
-    def look(self, at: str | Actor, **modifiers: Value) -> None:
-        """Turns the gaze there and stays on it."""
-        self.do(f"look at {at}", **modifiers)
-
-    def glance(self, at: str | Actor, **modifiers: Value) -> None:
-        """Looks there and back."""
-        self.do(f"glance {at}", **modifiers)
-
-    def show(self, expression: str, **modifiers: Value) -> None:
-        """Makes a sum of expressions and muscles the face's own: `smile 60% + brow.inner 20%`."""
-        self.do(f"show {expression}", **modifiers)
-
-    def add(self, expression: str, **modifiers: Value) -> None:
-        """Lays a sum on top of what is shown."""
-        self.do(f"add {expression}", **modifiers)
-
-    def drop(self, name: str, **modifiers: Value) -> None:
-        """Lets go of what was added, or of a statement by its name."""
-        self.do(f"drop {name}", **modifiers)
-
-    def say(self, text: str, **modifiers: Value) -> None:
-        """Speaks a text; what stands in it in brackets is done, and `*word*` is stressed, as in the language."""
-        self.do(f"say {_quoted(text)}", **modifiers)
-
-    def nod(self, degree: float = 1.0, **modifiers: Value) -> None:
-        self.do(f"nod {_share(degree)}", **modifiers)
-
-    def shake(self, degree: float = 1.0, **modifiers: Value) -> None:
-        self.do(f"shake {_share(degree)}", **modifiers)
-
-    def blink(self, degree: float = 1.0, **modifiers: Value) -> None:
-        self.do(f"blink {_share(degree)}", **modifiers)
+    def statement(self, words: str) -> None:
+        self._script.line(f"{self.name}: {words}")
 
 
 @contextmanager
@@ -156,40 +116,3 @@ def _within(script: Script, head: str) -> Iterator[None]:
         script._depth -= 1
         if len(script._lines) == before:
             script._lines.pop()
-
-
-def _worded(table: Mapping[str, Modifier], name: str, value: Value) -> tuple[str, bool]:
-    """A keyword and its value as the language has them, and whether they follow without a comma."""
-    key = name.rstrip("_").replace("_", " ")
-    row = table.get(key) or table.get(key.replace(" ", "-"))
-    if row is None:
-        raise TypeError(f"`{name}` is no word that belongs here: {', '.join(table)}")
-    if (value is True) != (not row.takes):
-        raise TypeError(f"`{name}` takes {'a ' + row.takes if row.takes else 'no value: `True`'}")
-    said = _valued(row.takes, value)
-    return " ".join(said if word == VALUE else word for word in row.pattern), row.direct
-
-
-def _valued(kind: str, value: Value) -> str:
-    if kind in ("file", "text"):
-        return _quoted(str(value))
-    if isinstance(value, str):
-        return value
-    units = {"time": "s", "rate": "/min", "frame rate": "fps", "angle": "deg", "length": "cm"}
-    if kind in ("percentage", "screen"):
-        return _share(value)
-    return f"{_number(value)}{units.get(kind, '')}"
-
-
-def _share(value: float) -> str:
-    return f"{_number(100.0 * value)}%"
-
-
-def _number(value: float) -> str:
-    """A number as the language has it: without an exponent."""
-    return f"{value:.6f}".rstrip("0").rstrip(".")
-
-
-def _quoted(text: str) -> str:
-    plain = re.sub(r"\s+", " ", text.replace("\\", "\\\\").replace('"', '\\"'))
-    return f'"{plain}"'

@@ -46,6 +46,7 @@ class Job:
     `pictures` reads a background picture's bytes by its path in the project; `jobs` is how many processes draw, 0 for
     as many as suit the machine; `page` is what an `.html` is to be. `captions` is how they are made: by "words", by
     "sentences", or "burn" for sentences in the frames, then in a `font` (the bytes of its file, None to find one).
+    `face` is whose face an output of one face is of, None for the only one.
     """
 
     play: Play
@@ -59,6 +60,7 @@ class Job:
     page: PageWish = field(default_factory=PageWish)
     captions: str = "sentences"
     font: bytes | None = None
+    face: str | None = None
 
     @cached_property
     def performance(self) -> Performance:

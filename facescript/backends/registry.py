@@ -49,6 +49,8 @@ BACKENDS = (
     Backend(".png", "facescript.backends.stills:write_png", "one moment (--at), or a numbered picture a frame", True),
     Backend(".csv", "facescript.backends.tables:write_csv", "table: time and every channel"),
     Backend(".jsonl", "facescript.backends.tables:write_jsonl", "lines of JSON: time and every channel"),
+    Backend(".arkit.csv", "facescript.backends.arkit:write_arkit", "table: a face in the shapes of ARKit"),
+    Backend(".fap", "facescript.backends.fap:write_fap", "a face in the animation parameters of MPEG-4"),
     Backend(".wav", "facescript.backends.wav:write_wav", "the sound alone"),
     Backend(".vtt", "facescript.backends.captions.writing:write_vtt", "captions, WebVTT (--captions words: by words)"),
     Backend(".srt", "facescript.backends.captions.writing:write_srt", "captions, SRT (--captions words: by words)"),

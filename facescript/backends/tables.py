@@ -23,7 +23,7 @@ def write_csv(job: Job, path: Path) -> None:
     with path.open("w", encoding="utf-8", newline="") as out:
         out.write(",".join(["time", *job.performance.names, "marker"]) + "\n")
         for time, values, names in _rows(job):
-            out.write(f"{_number(time)},{','.join(map(_number, values))},{_cell(' '.join(names))}\n")
+            out.write(f"{number(time)},{','.join(map(number, values))},{cell(' '.join(names))}\n")
 
 
 def write_jsonl(job: Job, path: Path) -> None:
@@ -31,10 +31,10 @@ def write_jsonl(job: Job, path: Path) -> None:
     keys = [json.dumps(name, ensure_ascii=False) for name in job.performance.names]
     with path.open("w", encoding="utf-8", newline="") as out:
         for time, values, names in _rows(job):
-            fields = ", ".join(f"{key}: {_number(value)}" for key, value in zip(keys, values, strict=True))
+            fields = ", ".join(f"{key}: {number(value)}" for key, value in zip(keys, values, strict=True))
             marks = f', "markers": {json.dumps(names, ensure_ascii=False)}' if names else ""
             separator = ", " if fields else ""
-            out.write(f'{{"time": {_number(time)}{separator}{fields}{marks}}}\n')
+            out.write(f'{{"time": {number(time)}{separator}{fields}{marks}}}\n')
 
 
 def _rows(job: Job) -> Iterator[tuple[float, list[float], list[str]]]:
@@ -59,10 +59,12 @@ def _marks(job: Job, times: NDArray[np.float64]) -> dict[int, list[str]]:
     return found
 
 
-def _number(value: float) -> str:
+def number(value: float) -> str:
+    """Six decimals at most."""
     text = f"{value:.6f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
 
 
-def _cell(text: str) -> str:
+def cell(text: str) -> str:
+    """A text as it stands between commas."""
     return '"' + text.replace('"', '""') + '"' if any(sign in text for sign in ',"\n') else text

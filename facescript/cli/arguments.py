@@ -6,9 +6,6 @@ import argparse
 from collections.abc import Callable
 from dataclasses import dataclass
 
-LATER = ("live",)
-"""Commands of the language's design that this version refuses by name."""
-
 SPHINX, VOICE = "pocketsphinx", "voice"
 """The ways to align."""
 
@@ -52,6 +49,7 @@ def _build(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", metavar="TIME", help="one moment only: a still")
     parser.add_argument("--captions", metavar="HOW", help="words or sentences in .vtt and .srt, burn for films")
     parser.add_argument("--font", metavar="FILE", help="with --captions burn: a font that has their signs")
+    parser.add_argument("--face", metavar="NAME", help="for .arkit.csv and .fap: whose face, where there are several")
     parser.add_argument("--jobs", metavar="N", help="how many processes draw")
     templates = "plain, announcer, book, script, or an .html of your own"
     parser.add_argument("--page", metavar="TEMPLATE", help=f"for .html: {templates}")
@@ -142,12 +140,34 @@ def _preview(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _live(parser: argparse.ArgumentParser) -> None:
+    _script(parser)
+    coming = "where events come from, stdin: or ws://127.0.0.1:8080; repeat"
+    parser.add_argument("--from", dest="sources", action="append", default=[], metavar="ADDRESS", help=coming)
+    going = "where the stream goes, - (lines of JSON) where none is said; repeat"
+    parser.add_argument("--to", action="append", default=[], metavar="ADDRESS", help=going)
+    shown = "show it as a page that fills a screen, at this port of this machine"
+    parser.add_argument("--page", nargs="?", const="", metavar="PORT", help=shown)
+    parser.add_argument("--fps", metavar="N", help="frames a second, 60")
+    parser.add_argument("--for", dest="long", metavar="TIME", help="end after so long, 10min")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="give a `let` another value")
+    parser.add_argument("--seed", metavar="N", help="the seed of all chance")
+    parser.add_argument("--trials", metavar="FILE", help="with --trial: a table with a column for each `let`")
+    parser.add_argument("--trial", metavar="N", help="with --trials: take the values of that row")
+    parser.add_argument("--log", metavar="FILE", help="write down what is heeded, and when")
+    parser.add_argument("--replay", metavar="FILE", help="run again what a log says")
+    where = "write down when each act was planned and given, to standard error or a .csv"
+    parser.add_argument("--onsets", nargs="?", const="-", metavar="FILE", help=where)
+    parser.add_argument("--token", metavar="WORD", help="what those must know who come from other machines")
+
+
 COMMANDS = {
     "align": Command("align", "find when the words of a text are said in a recording", _align),
     "build": Command("build", "make films, pictures, tables and sound from a script", _build),
     "check": Command("check", "say what is wrong with scripts", _check),
     "explain": Command("explain", "show the solved times: when each act starts, settles and ends", _explain),
     "fmt": Command("fmt", "put scripts into the one layout", _fmt),
+    "live": Command("live", "run a script now: events in, sixty frames a second out, to whatever listens", _live),
     "lsp": Command("lsp", "serve editors: faults as they are made, times as they are solved", _lsp),
     "list": Command("list", "list what there is: faces, expressions, voices, ...", _list),
     "new": Command("new", "write a starter script", _new),

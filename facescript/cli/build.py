@@ -26,6 +26,9 @@ from facescript.world import World, WorldFailure
 PAGE_OPTIONS = ("page", "split")
 """Options that pages alone have."""
 
+OF_ONE_FACE = (".arkit.csv", ".fap")
+"""Outputs that are of one face."""
+
 MOST_JOBS = 64
 """Processes that draw at once, whatever is asked for."""
 
@@ -46,7 +49,8 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _backend(target: str, kind: str | None) -> Backend:
-    suffix, known = suffix_of(target, kind), backends()
+    known = backends()
+    suffix = suffix_of(target, kind, known)
     if suffix not in known:
         raise no_kind(target, suffix, known)
     return known[suffix]
@@ -60,6 +64,8 @@ def _fit(options: argparse.Namespace, wanted: list[tuple[str, Backend]]) -> None
         for option in PAGE_OPTIONS if backend.suffix != ".html" else ():
             if getattr(options, option):
                 raise OptionFault("FS905", option=f"--{option}", fitting=".html", suffix=backend.suffix)
+        if options.face is not None and backend.suffix not in OF_ONE_FACE:
+            raise OptionFault("FS905", option="--face", fitting=" and ".join(OF_ONE_FACE), suffix=backend.suffix)
         if options.split and target == STANDARD:
             raise OptionFault("FS905", option="--split", fitting="named .html", suffix=target)
         if is_numbered(target) and backend.suffix != ".png":
@@ -79,7 +85,8 @@ def _job(options: argparse.Namespace, compiled: Compiled, world: World, progress
     jobs = max(1, count("--jobs", options.jobs, "2")) if options.jobs else 0
     page, font = page_wish(options, world, compiled.source.text), font_named(options.font)
     captions = options.captions or "sentences"
-    return Job(play, score, world.read, start, end, at, min(jobs, MOST_JOBS), progress.step, page, captions, font)
+    manner = min(jobs, MOST_JOBS), progress.step, page, captions, font, options.face
+    return Job(play, score, world.read, start, end, at, *manner)
 
 
 def _moment(options: argparse.Namespace, duration: float) -> float | None:

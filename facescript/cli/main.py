@@ -12,7 +12,7 @@ from types import FrameType
 from typing import NoReturn
 
 from facescript import __version__
-from facescript.cli.arguments import COMMANDS, LATER, parser
+from facescript.cli.arguments import COMMANDS, parser
 
 COLLECT = 100_000
 """New objects between two looks for rubbish: compiling makes many that stay, and looking costs a third of its time."""
@@ -38,8 +38,6 @@ def program() -> NoReturn:
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; returns its exit code: 0 done, 1 faults in the script, 2 cannot run."""
     words = sys.argv[1:] if arguments is None else arguments
-    if words and words[0] in LATER:
-        return _later(words[0])
     if not words:
         parser(__version__).print_help(sys.stderr)
         return 2
@@ -69,12 +67,6 @@ def _run(options: argparse.Namespace) -> int:
             return refuse_option(fault)
         raise
     return code
-
-
-def _later(command: str) -> int:
-    from facescript.cli.report import OptionFault, refuse_option
-
-    return refuse_option(OptionFault("FS909", command=command))
 
 
 class Interrupted(KeyboardInterrupt):

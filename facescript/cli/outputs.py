@@ -19,9 +19,13 @@ def targets(options: argparse.Namespace, suffix: str) -> list[str]:
     return [STANDARD if options.script == STANDARD else str(Path(options.script).with_suffix(suffix))]
 
 
-def suffix_of(target: str, kind: str | None) -> str:
-    """The suffix that says what an output is: its own, or on standard output what `--as` says."""
-    return f".{(kind or '').lstrip('.')}" if target == STANDARD else Path(target).suffix.lower()
+def suffix_of(target: str, kind: str | None, known: Iterable[str] = ()) -> str:
+    """The suffix that says what an output is: its own, the longest of those `known`; on standard output what `--as`
+    says."""
+    if target == STANDARD:
+        return f".{(kind or '').lstrip('.')}"
+    name = Path(target).name.lower()
+    return max((suffix for suffix in known if name.endswith(suffix)), key=len, default=Path(name).suffix)
 
 
 def no_kind(target: str, suffix: str, known: Iterable[str]) -> OptionFault:

@@ -12,14 +12,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from facescript.cli.report import OptionFault, refuse
+from facescript.cli.settings import port
 from facescript.project import STANDARD, open_script
 from facescript.world import World, WorldFailure
 
 if TYPE_CHECKING:
     from facescript.preview.editor import Editor
     from facescript.preview.paper import Paper
-
-LARGEST_PORT = 65_535
 
 SCRATCH = "scratch.face"
 """What a script of no file is called."""
@@ -29,7 +28,7 @@ def run(options: argparse.Namespace) -> int:
     """Serves until it is interrupted. Raises `OptionFault`."""
     if find_spec("websockets") is None:
         raise OptionFault("FS960", command="preview", extra="preview")
-    port = _port(options.port)
+    found = port("--port", options.port)
     from facescript.preview.editor import Editor
     from facescript.preview.server import USUAL, run
 
@@ -48,14 +47,14 @@ def run(options: argparse.Namespace) -> int:
             webbrowser.open(address)
 
     with suppress(KeyboardInterrupt):
-        for tried in (USUAL, 0) if port is None and editor is None else (port or 0,):
+        for tried in (USUAL, 0) if found is None and editor is None else (found or 0,):
             try:
                 asyncio.run(run(paper, world, name, tried, told, editor))
                 break
             except OSError as fault:
                 if fault.errno not in (errno.EADDRINUSE, errno.EACCES):
                     raise
-                if tried != USUAL or port is not None:
+                if tried != USUAL or found is not None:
                     raise OptionFault("FS967", port=tried, reason=(fault.strerror or "it is taken").lower()) from None
     return 0
 
@@ -73,12 +72,3 @@ def _opened(script: str | None, editor: Editor | None) -> tuple[Paper, str, Worl
     if editor is not None:
         return Borrowed(editor, source.text), source.name, world
     return Paper(None if script == STANDARD else world.path(source.name), source.text), source.name, world
-
-
-def _port(text: str | None) -> int | None:
-    """The port asked for; 0 is any that is free. Raises `OptionFault`."""
-    if text is None:
-        return None
-    if not text.isascii() or not text.isdigit() or int(text[:6]) > LARGEST_PORT:
-        raise OptionFault("FS904", option="--port", value=text, example="8080")
-    return int(text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import re
+from pathlib import Path
 
 from facescript.cli.report import OptionFault
 from facescript.compile import Settings
@@ -17,7 +18,12 @@ LARGEST_SIDE = 8192
 FASTEST = 10_000.0
 """The most frames or rows a second."""
 
+LOGGED = '{"log"'
+"""What the log of a live run begins with."""
+
 TIMES = {"ms": 0.001, "s": 1.0, "min": 60.0}
+
+LARGEST_PORT = 65_535
 
 
 def settings(options: argparse.Namespace) -> Settings:
@@ -29,7 +35,26 @@ def settings(options: argparse.Namespace) -> Settings:
         film["fps"] = rate(options.fps)
     if getattr(options, "seed", None):
         film["seed"] = count("--seed", options.seed, "7")
-    return Settings(_overrides(options.set), film, _events(getattr(options, "events", None)))
+    events = _events(getattr(options, "events", None))
+    if events is not None and events.text.startswith(LOGGED):
+        return _logged(options.events, _overrides(options.set), film)
+    return Settings(_overrides(options.set), film, events)
+
+
+def _logged(name: str, overrides: dict[str, str], film: dict[str, float]) -> Settings:
+    """What the log of a live run says: its events, and how it was set, where nothing else is said. Raises
+    `OptionFault`."""
+    from facescript.live.log import LogFault, open_log
+    from facescript.live.retold import retold
+
+    try:
+        recorded = open_log(Path(name))
+        script = Source(f"{name} as events", retold(recorded))
+    except LogFault as fault:
+        raise OptionFault("FS973", name=name, reason=fault.args[0]) from None
+    head = recorded.head
+    own = {"seed": head.seed, "long": recorded.end / head.fps}
+    return Settings({**head.set, **overrides}, {**own, **film}, script, instead=True)
 
 
 def size(text: str) -> tuple[int, int]:
@@ -101,3 +126,12 @@ def _float(text: str) -> float | None:
         return float(text)
     except ValueError:
         return None
+
+
+def port(option: str, text: str | None) -> int | None:
+    """The port asked for; 0 is any that is free. Raises `OptionFault`."""
+    if text is None:
+        return None
+    if not text.isascii() or not text.isdigit() or int(text[:6]) > LARGEST_PORT:
+        raise OptionFault("FS904", option=option, value=text, example="8080")
+    return int(text)

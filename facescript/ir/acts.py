@@ -156,6 +156,32 @@ class Say:
 
 
 @dataclass(frozen=True, slots=True)
+class Take:
+    """A recorded performance of one face, read from the file `path` of the project.
+
+    `kind` says whose `columns` they are: shapes of ARKit, parameters of MPEG-4 (FAP), or channels. `data` are
+    `frames` rows of the time (s, the first 0) and each column: 32 bit floats, little-endian, in base64. It lasts
+    `duration` seconds.
+    """
+
+    path: str
+    kind: Literal["arkit", "fap", "channels"]
+    columns: tuple[str, ...]
+    frames: int
+    duration: float
+    data: str
+
+
+@dataclass(frozen=True, slots=True)
+class Perform:
+    """A take is played, at `speed` times the rate of its recording, for `timing.lasting` seconds at most."""
+
+    take: Take
+    speed: Amount = 1.0
+    timing: Timing = Timing()
+
+
+@dataclass(frozen=True, slots=True)
 class Wait:
     duration: Amount
 
@@ -235,6 +261,7 @@ Verb = (
     | Drop
     | Gesture
     | Say
+    | Perform
     | Wait
     | WaitUntil
     | SetBackground

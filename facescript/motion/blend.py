@@ -8,20 +8,14 @@ from __future__ import annotations
 import numpy as np
 
 from facescript.motion.drivers import Floats
+from facescript.performance.limits import KNEE as KNEE
+from facescript.performance.limits import LID_FLOOR as LID_FLOOR
+from facescript.performance.limits import LID_GAIN as LID_GAIN
+from facescript.performance.limits import LID_TRAVEL as LID_TRAVEL
+from facescript.performance.limits import gaze_on_lid as gaze_on_lid
+from facescript.performance.limits import soft_limit as soft_limit
 from facescript.space.main_sequence import HEAD_CEILING
 from facescript.space.reach import EYE_DOWN, EYE_SIDE, EYE_UP
-
-KNEE = 0.8
-"""A muscle's contraction up to which the soft limit changes nothing."""
-
-LID_FLOOR = -0.35
-"""The widest a lid opens: 1 is shut, 0 open at rest."""
-
-LID_TRAVEL = 48.0
-"""Degrees the upper lid turns from rest to shut (a voluntary blink: 43.1 +- 7.9; `motion.md` 5)."""
-
-LID_GAIN = 0.95
-"""Degrees a lid turns for a degree of the eye's pitch (bar B7: 0.85 to 1.1)."""
 
 HEAD_EASE = 5.2
 """Degrees before the end of the head's range from which it is slowed, and as many beyond that are asked for until it is
@@ -36,14 +30,6 @@ WIDENED, PRESSED = 0.4, 0.5
 
 TINY = 1e-200
 """Room where there is none, so that a part of it can be taken."""
-
-
-def soft_limit(value: Floats) -> Floats:
-    """Rule 1: contraction within 0..1; the identity from 0 to 0.8, above it 0.8 + 0.2 tanh((x - 0.8) / 0.2)."""
-    value = np.asarray(value, dtype=np.float64)
-    limited, high = np.maximum(value, 0.0), value > KNEE
-    limited[high] = KNEE + (1.0 - KNEE) * np.tanh((value[high] - KNEE) / (1.0 - KNEE))
-    return limited
 
 
 def ear_limit(value: Floats) -> Floats:
@@ -69,12 +55,6 @@ def blink_together(*blinks: Floats) -> Floats:
 def lid_opening(lid: Floats, blink: Floats) -> Floats:
     """Rule 2: the opening (1 at rest, 0 shut) that an expression's lid and a blink leave."""
     return (1.0 - lid) * (1.0 - blink)
-
-
-def gaze_on_lid(pitch: Floats) -> Floats:
-    """Rule 2: the opening's factor for an eye turned up by `pitch` deg: up widens, down closes, never wholly."""
-    shift = np.asarray(pitch, dtype=np.float64) * (LID_GAIN / LID_TRAVEL)
-    return 1.0 - LID_FLOOR * soft_limit(shift / -LID_FLOOR) - soft_limit(-shift)
 
 
 def lid_drawn(lid: Floats, blink: Floats, pitch: Floats) -> Floats:

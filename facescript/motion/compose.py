@@ -19,6 +19,7 @@ from facescript.motion.blend import (
 )
 from facescript.motion.drivers import BLINKS, Drive, Floats, rows
 from facescript.motion.gaze.track import eyes, midline
+from facescript.motion.recorded import Turned
 from facescript.performance.channels import INDEX, MOUTH, MUSCLES, SIDES
 from facescript.performance.easing import smooth
 from facescript.performance.performance import REST, Frames
@@ -54,7 +55,8 @@ _PRESS = rows(f"lip.press.{side}" for side in SIDES)
 @dataclass(frozen=True, slots=True)
 class Asked:
     """What each source asks at n times. `sight` is array[n, 3] (deg, deg, cm), `head` array[n, 2] (deg), of gaze;
-    `spoken` is array[n, 8] in the order of `channels.MOUTH`, and `activity` array[n] how far speech sounds (0..1)."""
+    `spoken` is array[n, 8] in the order of `channels.MOUTH`, and `activity` array[n] how far speech sounds (0..1).
+    `turned` is where takes turn the eyes; what they ask of the head is in `head` already."""
 
     expression: Drive
     gestures: Drive
@@ -63,6 +65,7 @@ class Asked:
     head: Floats
     spoken: Floats
     activity: Floats
+    turned: Turned | None = None
 
     @property
     def sum(self) -> Drive:
@@ -116,9 +119,13 @@ def eyes_wanted(asked: Asked, drive: Drive, head: Floats) -> Floats:
 
 
 def eyes_on_sight(asked: Asked, drive: Drive, head: Floats) -> Floats:
-    """Both eyes in the head, array[n, 2, 3], as gaze and life would have them."""
+    """Both eyes in the head, array[n, 2, 3], as gaze and life would have them, or a take."""
     added = np.hypot(head[:, 0] - asked.head[:, 0], head[:, 1] - asked.head[:, 1])
-    return eyes(sight_meant(asked, drive), head, added)
+    seen = eyes(sight_meant(asked, drive), head, added)
+    if asked.turned is None:
+        return seen
+    share = asked.turned.eye_share[:, None, None]
+    return seen * (1.0 - share) + asked.turned.eyes * share
 
 
 def blinks_drawn(asked: Asked) -> list[Floats]:

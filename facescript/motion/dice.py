@@ -64,10 +64,10 @@ class Event:
     end: float
 
 
-def events(start: float, end: float, gaps: Waits, lengths: Waits) -> Iterator[Event]:
+def events(start: float, end: float, gaps: Waits, lengths: Waits, last: Event | None = None) -> Iterator[Event]:
     """The events that begin in [start, end): `gaps(k)` from the end of event k - 1 (0: from `start`) to the start of
-    event k, which takes `lengths(k)`."""
-    index, time = 0, start + max(gaps(0), 0.0)
+    event k, which takes `lengths(k)`. They may go on from the `last` that is known."""
+    index, time = (0, start + max(gaps(0), 0.0)) if last is None else (last.index, last.start)
     while time < end:
         over = time + max(lengths(index), SHORTEST)
         yield Event(index, time, over)

@@ -14,10 +14,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from facescript.ir.acts import Add, Drop, Show
+from facescript.ir.acts import Add, Drop, Perform, Show
 from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Drive, Floats, number, term_column
 from facescript.motion.expression_apex import SMALLER, Ripple
+from facescript.motion.recorded import Playing, playing
 from facescript.performance.curves import Ramp
 from facescript.performance.easing import easing
 from facescript.schedule.score import TimedAct
@@ -43,7 +44,7 @@ class Part:
 @dataclass(frozen=True, slots=True)
 class Layer:
     """One show (`base`) or add: it rises, holds, and falls; seconds from the film's start. With a `ripple` it lives
-    once it has risen."""
+    once it has risen. What is played (`recorded`) is a base on those rows that it has."""
 
     base: bool
     rise: Ramp
@@ -51,13 +52,20 @@ class Layer:
     parts: tuple[Part, ...]
     act: TimedAct
     ripple: Ripple | None = None
+    recorded: Playing | None = None
 
     def weight(self, times: Floats) -> Floats:
         return self.rise.at(times) * (1.0 - self.fall.at(times))
 
     def mix(self, times: Floats) -> Drive:
+        if self.recorded is not None:
+            return self.recorded.asks(times)
         asked = sum((part.at(times) for part in self.parts), np.zeros((len(ROWS), len(times))))
         return asked if self.ripple is None else asked * (1.0 + self.ripple.at(times))
+
+    def covers(self, row: int) -> float:
+        """How far it takes the place of what is below it on a driver: 0 or 1."""
+        return float(self.base) if self.recorded is None else float(self.recorded.recording.has[row])
 
     @property
     def changes(self) -> Iterator[Ramp]:
@@ -86,7 +94,9 @@ class Piece:
         top = np.repeat(self.settled[:, None], len(times), axis=1)
         for layer in self.layers:
             weight = layer.weight(times)
-            if layer.base:
+            if layer.recorded is not None:
+                base = base * (1.0 - weight * layer.recorded.recording.has[:, None]) + layer.mix(times) * weight
+            elif layer.base:
                 base = base * (1.0 - weight) + layer.mix(times) * weight
             else:
                 top = top + layer.mix(times) * weight
@@ -117,6 +127,25 @@ class Expression:
                 drive[:, first:last] = self._pieces[index].at(times[first:last])
         return drive
 
+    def recorded(self, times: Floats) -> Drive:
+        """How far takes own each driver at `times` (sorted): array[row, time], 0..1."""
+        owned = np.zeros((len(ROWS), len(times)))
+        for item in self._under_takes(times):
+            weight = item.weight(times)
+            if item.recorded is not None:
+                own = weight * item.recorded.recording.has[:, None]
+                owned = owned * (1.0 - own) + own
+            else:
+                owned *= 1.0 - weight
+        return owned
+
+    def _under_takes(self, times: Floats) -> list[Layer]:
+        """The takes that are played at some of these times, and the shows that may cover them."""
+        first, last = (times[0], times[-1]) if len(times) else (0.0, -1.0)
+        seen = [item for item in self.layers if item.base and item.rise.start <= last and item.fall.end >= first]
+        begun = next((index for index, item in enumerate(seen) if item.recorded is not None), len(seen))
+        return seen[begun:]
+
 
 def _still(piece: Piece) -> Floats:
     return piece.at(np.array([piece.start]))[:, 0] if piece.layers else piece.settled
@@ -125,7 +154,7 @@ def _still(piece: Piece) -> Floats:
 def layers(acts: Sequence[TimedAct]) -> list[Layer]:
     """The shows and adds among the acts of one face in one scene, in their order."""
     drops = _drops(acts)
-    return [layer(act, drops) for act in acts if isinstance(act.verb, (Show, Add))]
+    return [layer(act, drops) for act in acts if isinstance(act.verb, (Show, Add, Perform))]
 
 
 def scene_pieces(layers: list[Layer], start: float, end: float) -> tuple[Piece, ...]:
@@ -135,7 +164,10 @@ def scene_pieces(layers: list[Layer], start: float, end: float) -> tuple[Piece, 
 
 
 def layer(act: TimedAct, drops: Drops) -> Layer:
-    """A show or add as a layer. It is at its apex before it lets go, however short it is."""
+    """A show, an add or a take as a layer. It is at its apex before it lets go, however short it is."""
+    if isinstance(act.verb, Perform):
+        played = playing(act)
+        return Layer(True, played.rise, played.fall, (), act, recorded=played)
     assert isinstance(act.verb, (Show, Add))
     timing, curve = act.verb.timing, easing(act.verb.timing.ease)
     over = act.settled - act.start if timing.over is None else number(timing.over)
@@ -180,7 +212,11 @@ def _pieces(layers: list[Layer], edges: list[float]) -> Iterator[Piece]:
 
 def _moves(item: Layer, start: float) -> bool:
     """Whether a layer changes in the piece that starts at `start` (the ends of ramps are edges of pieces)."""
-    return item.ripple is not None or any(ramp.start <= start < ramp.end for ramp in item.changes)
+    return (
+        item.ripple is not None
+        or item.recorded is not None
+        or any(ramp.start <= start < ramp.end for ramp in item.changes)
+    )
 
 
 def _matters(item: Layer, start: float) -> bool:
@@ -204,6 +240,7 @@ def _uncovered(live: list[Layer], start: float) -> list[Layer]:
 
 def _visible(live: list[Layer], start: float, end: float) -> Iterator[Layer]:
     """The layers that a piece shows: a show that holds through all of it hides those before it."""
-    holds = [i for i, item in enumerate(live) if item.base and item.rise.end <= start and item.fall.start >= end]
+    whole = [i for i, item in enumerate(live) if item.base and item.recorded is None]
+    holds = [i for i in whole if live[i].rise.end <= start and live[i].fall.start >= end]
     last = holds[-1] if holds else 0
     return (item for index, item in enumerate(live) if index >= last or not item.base)

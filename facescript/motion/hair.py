@@ -53,8 +53,10 @@ MOST = 10.0
 LEAST = 0.3
 """By so much, deg, a lock trails less: what is not more than half a pixel at a tip is none, and costs no key frame."""
 
-_S: States = np.array([2.0 * pi * rate * complex(-DAMPING, sqrt(1.0 - DAMPING * DAMPING)) for rate in RATES])
-_TURNS: list[complex] = np.exp(_S * STEP).tolist()
+SPRINGS: States = np.array([2.0 * pi * rate * complex(-DAMPING, sqrt(1.0 - DAMPING * DAMPING)) for rate in RATES])
+"""What z turns with and dies away by, 1/s, for slow, middle and quick locks."""
+
+_TURNS: list[complex] = np.exp(SPRINGS * STEP).tolist()
 
 
 class Hair:
@@ -75,7 +77,7 @@ class Hair:
             for block in np.unique(steps // BLOCK).tolist():
                 rows = steps // BLOCK == block
                 states = self._block(number, block)[steps[rows] - block * BLOCK]
-                out[here[rows]] = _seen(states, times[here[rows]] - start - steps[rows] * STEP)
+                out[here[rows]] = seen(states, times[here[rows]] - start - steps[rows] * STEP)
         return out
 
     def _run(self, number: int, block: int) -> States:
@@ -94,9 +96,14 @@ class Hair:
 
 def _pushes(heads: Floats) -> Floats:
     """What each moment but the last pushes the locks by, array[n, axis], deg/s; at the first they are at rest."""
-    sideways = heads[:, 0] + ROLL * heads[:, 2] + SHIFT * heads[:, 3]
-    speeds = np.diff(np.stack([sideways, heads[:, 1] + SHIFT * heads[:, 4]], axis=1), axis=0) / STEP
+    speeds = np.diff(aside(heads), axis=0) / STEP
     return -np.diff(speeds, axis=0, prepend=speeds[:1])
+
+
+def aside(heads: Floats) -> Floats:
+    """How far heads array[n, 5] take their roots along, to the side and up: array[n, axis], deg of a turn."""
+    sideways = heads[:, 0] + ROLL * heads[:, 2] + SHIFT * heads[:, 3]
+    return np.stack([sideways, heads[:, 1] + SHIFT * heads[:, 4]], axis=1)
 
 
 def _swung(pushes: list[float], turn: complex) -> list[complex]:
@@ -104,10 +111,10 @@ def _swung(pushes: list[float], turn: complex) -> list[complex]:
     return list(accumulate(pushes, lambda state, push: state * turn + push, initial=0j))[1:]
 
 
-def _seen(states: States, later: Floats) -> Floats:
+def seen(states: States, later: Floats) -> Floats:
     """How far locks trail `later` seconds after they were in `states` array[n, lock, axis]: array[n, lock * axis]."""
-    swung = states * np.exp(later[:, None] * _S)[:, :, None]
-    trails = MOST * np.tanh(swung.imag / _S.imag[:, None] / MOST)
+    swung = states * np.exp(later[:, None] * SPRINGS)[:, :, None]
+    trails = MOST * np.tanh(swung.imag / SPRINGS.imag[:, None] / MOST)
     trails -= np.clip(trails, -LEAST, LEAST)
-    seen: Floats = trails.reshape(len(states), -1)
-    return seen
+    found: Floats = trails.reshape(len(states), -1)
+    return found

@@ -6,7 +6,7 @@ Each step asks the functions that performing asks (`motion.compose`, `motion.ble
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -27,12 +27,15 @@ from facescript.motion.drivers import ROWS, Drive, Floats
 from facescript.motion.gaze.eyes import converged, in_head
 from facescript.motion.perform import FaceMotion
 from facescript.owners import gaze, sources
-from facescript.owners.model import Account, Part, Source, Step
+from facescript.owners.model import Account, Part, Source, Step, statement
 from facescript.owners.mouth import Lines, shapes
 from facescript.performance.channels import INDEX, POSE, SIDES, Channel
 from facescript.schedule.score import Score
 
 AXES = ("yaw", "pitch", "roll")
+
+HEAD, EYES = range(2)
+"""What a take turns, as `motion.recorded` counts it."""
 
 
 class Accounts:
@@ -61,17 +64,25 @@ class Accounts:
         axis = channel.name.rpartition(".")[2]
         if kind == "gaze" or (kind == "eye" and axis in AXES):
             steps = self._sight(channel, moment) if kind == "gaze" else self._eye(channel, moment)
-            return gaze.eyes(self._motion.gaze, self.score, moment.time).owner(moment.time), list(steps)
+            looks = gaze.eyes(self._motion.gaze, self.score, moment.time)
+            return self._take(EYES, moment) or looks.owner(moment.time), list(steps)
         if kind == "head" and axis in AXES:
             steps = self._head(channel, moment)
-            return gaze.head(self._motion.gaze, self.score, moment.time).owner(moment.time), list(steps)
-        base = sources.base(self._motion.scene(moment.time), moment.time)
+            looks = gaze.head(self._motion.gaze, self.score, moment.time)
+            return self._take(HEAD, moment) or looks.owner(moment.time), list(steps)
+        base = sources.base(self._motion.scene(moment.time), ROWS[channel.name], moment.time)
         if kind == "mouth":
             speaks = self._lines.near(moment.time) if moment.asked.activity[0] > 0.0 else None
             return speaks or base, list(self._mouth(rest, moment))
         if kind == "lid":
             return base, list(self._lid(rest, moment))
         return base, list(self._sum(channel, moment))
+
+    def _take(self, part: int, moment: Moment) -> Source | None:
+        """The take that turns head or eyes."""
+        scene = self._motion.scene(moment.time)
+        act = scene.recorded.turning(part, moment.time) if scene is not None else None
+        return None if act is None else statement(act)
 
     # -------------------------------------------------------------------------------------- what only adds
 
@@ -112,12 +123,16 @@ class Accounts:
     def _head(self, channel: Channel, moment: Moment) -> Iterator[Step]:
         """Rules 5 and 6."""
         row, axis = ROWS[channel.name], AXES.index(channel.name.rpartition(".")[2])
-        turned = 0.0
+        added = float(moment.drive[row, 0])
+        rolled = moment.asked.turned
+        turned = 0.0 if rolled is None else float(rolled.head[0, 2] * rolled.head_share[0])
         if axis < 2:
-            turned = float(moment.asked.head[0, axis])
             parts = gaze.head(self._motion.gaze, self.score, moment.time).parts(moment.time, axis)
-            yield Step("turned by gaze", turned, parts)
-        yield Step("and the sum of what is added", turned + float(moment.drive[row, 0]), self._parts(row, moment))
+            yield Step("turned by gaze", float(self._motion.gaze.head(np.array([moment.time]))[0, axis]), parts)
+            turned = float(moment.asked.head[0, axis])
+            added += turned
+        yield from self._taken(HEAD, turned, moment)
+        yield Step("and the sum of what is added", added, self._parts(row, moment))
         yield Step("within the head's reach", float(moment.head[0, axis]))
 
     def _sight(self, channel: Channel, moment: Moment) -> Iterator[Step]:
@@ -140,20 +155,28 @@ class Accounts:
         """Rule 6: the eye turns by what the head leaves to it, converges, and stays within its reach."""
         _, side, name = channel.name.split(".")
         number, axis, row = SIDES.index(side), AXES.index(name), ROWS[channel.name]
+        looking = replace(moment.asked, turned=None)
+        seen = float(eyes_on_sight(looking, moment.drive, moment.head)[0, number, axis])
         if axis < 2:
             yield from self._meant(channel.name, axis, moment)
             yield self._in_head(axis, moment)
             near = f"converging at {moment.sight[0, 2]:.4g} cm"
             yield Step(near, float(converged(moment.sight, moment.head)[axis][0, number]))
-            yield Step(
-                "within the eye's reach", float(eyes_on_sight(moment.asked, moment.drive, moment.head)[0, number, axis])
-            )
+            yield Step("within the eye's reach", seen)
         else:
-            listing = "Listing's roll, brought about by yaw and pitch"
-            yield Step(listing, float(eyes_on_sight(moment.asked, moment.drive, moment.head)[0, number, axis]))
+            yield Step("Listing's roll, brought about by yaw and pitch", seen)
+        turned = float(eyes_on_sight(moment.asked, moment.drive, moment.head)[0, number, axis])
+        yield from self._taken(EYES, turned, moment)
         own = self._parts(row, moment)
         yield Step("and the sum of the eye's own terms", float(moment.wanted[0, number, axis]), own)
         yield from self._pulled(side, axis, moment)
+
+    def _taken(self, part: int, value: float, moment: Moment) -> Iterator[Step]:
+        """What a take makes of a turn of the head or an eye, where one is played."""
+        source = self._take(part, moment)
+        if source is not None and moment.asked.turned is not None:
+            share = (moment.asked.turned.head_share, moment.asked.turned.eye_share)[part][0]
+            yield Step(f"{share:.1%} of the way to where a take has it", value, (Part(source, value, 1.0),))
 
     def _in_head(self, axis: int, moment: Moment) -> Step:
         """The line of sight in the head, which may be turned in three ways."""

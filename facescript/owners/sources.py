@@ -33,11 +33,16 @@ def shown(scene: SceneMotion, row: int, time: float) -> tuple[Part, ...]:
         if weight and layer.rise.start <= time:
             found += reversed([*_terms(layer, row, at, weight * left if layer.base else weight, left)])
         if layer.base:
-            left *= 1.0 - weight
+            left *= 1.0 - weight * layer.covers(row)
     return tuple(reversed(found))
 
 
 def _terms(layer: Layer, row: int, at: Floats, weight: float, left: float) -> Iterator[Part]:
+    if layer.recorded is not None:
+        full = float(layer.mix(at)[row, 0])
+        if full and weight:
+            yield Part(statement(layer.act), full, weight, _stands(layer, at, 1.0, left))
+        return
     terms = layer.act.verb.mix.terms  # type: ignore[union-attr]
     for part, term in zip(layer.parts, terms, strict=True):
         full, now = float(part.column[row]), float(part.at(at)[row, 0])
@@ -59,11 +64,11 @@ def _stands(layer: Layer, at: Floats, kept: float, left: float) -> str:
     return ", ".join(f"{state} ({percent(share)})" for state, share in found)
 
 
-def base(scene: SceneMotion | None, time: float) -> Source | None:
-    """The show that owns the base: the latest that has begun and has not let go."""
+def base(scene: SceneMotion | None, row: int, time: float) -> Source | None:
+    """The show or the take that owns the base of a driver: the latest that has begun and has not let go."""
     at = np.array([time])
     layers = reversed(scene.expression.layers) if scene is not None else ()
-    owners = (layer for layer in layers if layer.base and layer.rise.start <= time and layer.weight(at)[0] > 0.0)
+    owners = (layer for layer in layers if layer.covers(row) and layer.rise.start <= time and layer.weight(at)[0] > 0.0)
     return next((statement(layer.act) for layer in owners), None)
 
 

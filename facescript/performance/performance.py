@@ -64,6 +64,11 @@ class Performance:
         """The channels of `names`."""
         return tuple(POSE[INDEX[name]] for names in self._has.values() for name in names)
 
+    @property
+    def columns(self) -> dict[str, slice | list[int]]:
+        """Where the channels that each face has stand in its poses."""
+        return {face: _columns(names) for face, names in self._has.items()}
+
     def sample_face(self, face: str, times: NDArray[np.float64]) -> Frames:
         """One face as it is drawn, its hair too: array[frame, channel]."""
         times = np.asarray(times, dtype=np.float64)
@@ -75,7 +80,7 @@ class Performance:
     def sample(self, times: NDArray[np.float64]) -> Frames:
         """The channels of all faces side by side: array[frame, len(self.names)]."""
         times = np.asarray(times, dtype=np.float64)
-        found = [self.faces[face].sample(times)[:, _columns(names)] for face, names in self._has.items()]
+        found = [self.faces[face].sample(times)[:, columns] for face, columns in self.columns.items()]
         return np.concatenate(found, axis=1) if found else np.zeros((len(times), 0))
 
     def pose(self, time: float) -> dict[str, float]:

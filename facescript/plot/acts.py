@@ -14,6 +14,7 @@ from facescript.ir.acts import (
     Glance,
     Life,
     Look,
+    Perform,
     Say,
     Scan,
     SetBackground,
@@ -143,6 +144,8 @@ def _shown(score: Score, acts: Sequence[TimedAct]) -> Iterator[Bar]:
     for act in acts:
         if isinstance(act.verb, Drop):
             yield _bar(act, act.start, act.start, act.settled)
+        elif isinstance(act.verb, Perform):
+            yield _bar(act, _risen(act), act.released, act.end)
         elif isinstance(act.verb, (Show, Add)):
             apex = _risen(act)
             release, end = _gone(act, after.get(act.order), dropped, score.scenes[act.scene].end)

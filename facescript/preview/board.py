@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from facescript.preview.messages import head_of
+from facescript.web.messages import head_of
 
 KEPT = ("editor", "script", "diagnostics", "score", "figure", "sound")
 """Messages that say how things are until the next of their kind."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from facescript.preview.editor import Editor
-from facescript.preview.messages import Message
 from facescript.preview.paper import Edit, Paper, Refusal
 from facescript.preview.places import Units
+from facescript.web.messages import Message
 from facescript.world import LARGEST_SCRIPT, decode
 
 

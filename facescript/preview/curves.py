@@ -9,7 +9,7 @@ from facescript.backends.job import Job
 from facescript.performance.channels import INDEX, POSE, channels_of
 from facescript.performance.performance import Performance
 from facescript.plot.looks import look
-from facescript.preview.messages import Message, text
+from facescript.web.messages import Message, text
 
 EVERY = 0.01
 """Seconds from one value to the next: a saccade of 20 ms has two."""

@@ -14,7 +14,7 @@ from io import FileIO
 from threading import Thread
 from typing import Protocol
 
-from facescript.preview.messages import Message, text
+from facescript.web.messages import Message, text
 from facescript.world import LARGEST_SCRIPT
 
 LONGEST = 8 * LARGEST_SCRIPT

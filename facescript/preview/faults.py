@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from facescript.diagnostics.model import Diagnostic
-from facescript.preview.messages import Message
 from facescript.preview.places import Units
 from facescript.text import Source
+from facescript.web.messages import Message
 
 MOST = 200
 """Diagnostics that are told; the first of them in the text."""

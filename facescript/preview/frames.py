@@ -18,9 +18,9 @@ from facescript.backends.job import Job
 from facescript.backends.page.basis import PLACE
 from facescript.backends.page.figure import Object, layer_of, outlines
 from facescript.backends.page.motion import RATE, Gathering, add_grounds, cuts
-from facescript.preview.messages import numbers, text
 from facescript.stage.ground import Ground, Layer
 from facescript.stage.stage import Moments, Stage
+from facescript.web.messages import numbers, text
 
 CHUNK = 60
 """Frames of a chunk; it has the first of the next as well."""

@@ -8,10 +8,10 @@ from typing import cast
 from facescript.compile import Compiled
 from facescript.preview.drag import Drags, Refused
 from facescript.preview.dragging.tries import Handle
-from facescript.preview.messages import Message, text
 from facescript.preview.places import Units
 from facescript.schedule.score import TimedAct
 from facescript.text import Source
+from facescript.web.messages import Message, text
 
 HANDLES = ("start", "end", "body", "degree")
 

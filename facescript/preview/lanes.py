@@ -8,10 +8,10 @@ from facescript.ir.acts import Drop, SetBackground, SetLife, View
 from facescript.ir.play import Play
 from facescript.performance.channels import channels_of
 from facescript.plot.acts import Bar, Lane, face_lanes, film_lanes
-from facescript.preview.messages import Message
 from facescript.preview.places import Units
 from facescript.schedule.score import Score, TimedLine
 from facescript.text import Source, Span
+from facescript.web.messages import Message
 
 MOST_ROWS = 8
 """Rows of one lane; bars for which there is no room lie over others in the last."""

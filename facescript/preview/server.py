@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import secrets
 import signal
 import tempfile
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from http import HTTPStatus
 from pathlib import Path
@@ -19,17 +18,17 @@ from websockets.http11 import Request, Response
 
 from facescript.preview.board import Board
 from facescript.preview.borrowed import Borrowed
-from facescript.preview.doors import HELP, LIVE, Doors, refused
+from facescript.preview.doors import HELP, LIVE, Doors
 from facescript.preview.editor import Editor
 from facescript.preview.help import Helpers
-from facescript.preview.messages import Message, head_of, is_text, text
 from facescript.preview.paper import Edit, Paper, Refusal
 from facescript.preview.share import Sharing
 from facescript.preview.watch import changes
 from facescript.preview.workshop import Workshop
+from facescript.web.doors import LOOPBACK, refused
+from facescript.web.messages import Message, head_of, is_text, text
+from facescript.web.sayings import Pace, Taken, understood
 from facescript.world import LARGEST_SCRIPT, World, WorldFailure
-
-LOOPBACK = "127.0.0.1"
 
 USUAL = 3223
 """The port where none is asked for: FACE on a telephone. Where it is taken, any other will do."""
@@ -49,12 +48,9 @@ FORSAKEN = 60.0
 AGAIN = 1.0
 """Seconds until a process that ended is begun again."""
 
-LARGEST = 1e9
-"""No number of a page is as large: seconds of a film, places in a text."""
-
 Number = (int, float)
 MAYBE = (int, float, type(None))
-TAKEN: Mapping[str, Mapping[str, tuple[type, ...]]] = {
+TAKEN: Taken = {
     "playhead": {"time": Number, "playing": (bool,)},
     "text": {"base": (int,), "from": (int,), "to": (int,), "text": (str,)},
     "curves": {"face": (str,), "channels": (list,)},
@@ -67,13 +63,13 @@ TAKEN: Mapping[str, Mapping[str, tuple[type, ...]]] = {
 
 
 class Guest:
-    """A page: what waits to be sent to it, and how often it speaks."""
+    """A page: what waits to be sent to it, and the `pace` at which it speaks."""
 
     def __init__(self, connection: ServerConnection, waiting: Iterable[bytes]) -> None:
         self._connection = connection
         self._waiting = asyncio.Queue[bytes]()
         self._size = 0
-        self._left, self._since = float(QUICKEST), time.monotonic()
+        self.pace = Pace(QUICKEST)
         for message in waiting:
             self.tell(message)
 
@@ -92,13 +88,6 @@ class Guest:
                 message = await self._waiting.get()
                 await self._connection.send(message, text=is_text(message))
                 self._size -= len(message)
-
-    def floods(self) -> bool:
-        """Whether a page has said more than it has cause to; counts what it says now."""
-        now = time.monotonic()
-        self._left = min(self._left + (now - self._since) * QUICKEST, 4.0 * QUICKEST) - 1
-        self._since = now
-        return self._left < 0
 
 
 class Preview:
@@ -143,7 +132,7 @@ class Preview:
         sending = asyncio.create_task(guest.send())
         try:
             async for said in connection:
-                if guest.floods():
+                if guest.pace.floods():
                     await connection.close(1008, "too many messages")
                     return
                 self._take(guest, said)
@@ -235,7 +224,7 @@ class Preview:
 
     def _take(self, guest: Guest, said: str | bytes) -> None:
         """What a page says; nonsense is passed over, but told."""
-        message = understood(said)
+        message = understood(said, TAKEN)
         if message is None:
             guest.tell(text("refused", what="", why="it is no message of this page"))
             return
@@ -271,25 +260,6 @@ class Preview:
 
 
 USED, DRAGGED = b'{"kind":"used"', b'{"kind":"dragged"'
-
-
-def understood(said: str | bytes) -> Message | None:
-    """A message of a page, if it is one."""
-    try:
-        message = json.loads(said) if isinstance(said, str) else None
-    except (ValueError, RecursionError):
-        return None
-    if not isinstance(message, dict):
-        return None
-    wanted = TAKEN.get(str(message.get("kind")))
-    if wanted is None or not all(_fits(message.get(name), types) for name, types in wanted.items()):
-        return None
-    return {name: message[name] for name in ("kind", *wanted)}
-
-
-def _fits(value: object, types: tuple[type, ...]) -> bool:
-    """Whether a value is of one of the types; a number, one that can be counted with."""
-    return type(value) in types and (not isinstance(value, int | float) or abs(value) < LARGEST)
 
 
 async def run(

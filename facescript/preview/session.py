@@ -8,7 +8,7 @@ frames.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
@@ -22,7 +22,6 @@ from facescript.preview.faults import told
 from facescript.preview.frames import Frames
 from facescript.preview.hands import Hands
 from facescript.preview.lanes import timeline
-from facescript.preview.messages import Message, is_draft, text
 from facescript.preview.places import Units, carried
 from facescript.preview.playhead import Stretch, moved, stretches
 from facescript.preview.sound import Sound
@@ -31,21 +30,11 @@ from facescript.project import compile_any, is_play
 from facescript.recompile import Recompiler
 from facescript.speech.studio import open_studio
 from facescript.text import Source
-from facescript.world import LARGEST_FILE, World, WorldFailure
+from facescript.web.messages import Message, text
+from facescript.world import ReadWorld, WorldFailure
 
 ASKED = 64
 """Questions that wait, at most; the oldest are dropped."""
-
-
-@dataclass(frozen=True, slots=True)
-class ReadWorld(World):
-    """A project that keeps in mind which of its files were read, or looked for."""
-
-    names: set[str] = field(default_factory=set, hash=False, compare=False)
-
-    def read(self, name: str, largest: int = LARGEST_FILE) -> bytes:
-        self.names.add(name)
-        return World.read(self, name, largest)
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +73,7 @@ class Session:
             self._playhead = float(message["time"])  # type: ignore[arg-type]
             self._frames.came()
         else:
-            waiting = [other for other in self._asked if not is_draft(other) or not is_draft(message)]
+            waiting = [other for other in self._asked if not _is_draft(other) or not _is_draft(message)]
             self._asked = [*waiting, message][-ASKED:]
 
     @property
@@ -181,3 +170,8 @@ class Session:
         elif asked["kind"] == "drag":
             missing = text("refused", what="", why="the script has no times now: mend what is wrong with it first.")
             yield missing if self._hands is None else self._hands.answer(asked)
+
+
+def _is_draft(message: Message) -> bool:
+    """Whether a message asks what a drag would do: of several, the latest counts."""
+    return message["kind"] == "drag" and not message["done"]

@@ -16,10 +16,10 @@ from facescript.backends.page.wish import PageWish
 from facescript.compile import Settings
 from facescript.diagnostics.model import Severity
 from facescript.pictures import PictureFailure
-from facescript.preview.messages import text
 from facescript.project import compile_any
 from facescript.speech.studio import open_studio
 from facescript.text import Source
+from facescript.web.messages import text
 from facescript.world import World
 
 Tell = Callable[[bytes], None]

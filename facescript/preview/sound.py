@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from facescript.preview.messages import text
 from facescript.schedule.score import Score
 from facescript.speech.sound.mix import soundtrack
+from facescript.web.messages import text
 
 PEAKS = 100
 """Peaks a second."""

@@ -15,7 +15,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from threading import Condition, Thread
 
-from facescript.preview.messages import Message
+from facescript.web.messages import Message
 
 COLLECT = 100_000
 """New objects between two looks for rubbish, as in `cli/main.py`."""

@@ -9,14 +9,10 @@ from facescript.ir.acts import AddLink, SetPicture
 from facescript.resolve.lines import Line
 from facescript.resolve.pictures import picture_path
 from facescript.resolve.place import Place
-from facescript.resolve.project import Project, Refused
-from facescript.resolve.reader import Reader
-from facescript.resolve.scope import expand, inside
+from facescript.resolve.project import Project
+from facescript.resolve.quoted import quoted_text
 from facescript.resolve.suggest import replace
-from facescript.resolve.sums import left_over
-from facescript.resolve.texts import bare_text
 from facescript.resolve.words import NOTHING
-from facescript.syntax.tree import Dotted, Name, String
 from facescript.text import Span
 
 LARGEST = 16 * 1024 * 1024
@@ -38,9 +34,9 @@ def picture(project: Project, line: Line, place: Place) -> SetPicture:
     if reader.word(NOTHING):
         line.finish(reader)
         return SetPicture(None)
-    path, span = _text(project, reader, 'it is written `picture "PICTURE"` or `picture none`')
+    path, span = quoted_text(project, reader, 'it is written `picture "PICTURE"` or `picture none`')
     found = picture_path(project, path, span, LARGEST)
-    caption = _text(project, reader, "a caption is a text in quotes")[0] if reader.peek() is not None else ""
+    caption = quoted_text(project, reader, "a caption is a text in quotes")[0] if reader.peek() is not None else ""
     line.finish(reader)
     return SetPicture(found, caption)
 
@@ -48,9 +44,11 @@ def picture(project: Project, line: Line, place: Place) -> SetPicture:
 def link(project: Project, line: Line, place: Place) -> AddLink:
     reader = line.reader()
     reader.next()
-    address, span = _text(project, reader, 'it is written `link "ADDRESS" "TEXT"`')
+    address, span = quoted_text(project, reader, 'it is written `link "ADDRESS" "TEXT"`')
     _check(project, address, span)
-    text = _text(project, reader, "the words of a link are a text in quotes")[0] if reader.peek() is not None else ""
+    text = (
+        quoted_text(project, reader, "the words of a link are a text in quotes")[0] if reader.peek() is not None else ""
+    )
     line.finish(reader)
     return AddLink(address, text or address)
 
@@ -79,24 +77,3 @@ def _fault(address: str) -> str:
     if parts.scheme not in ("http", "https"):
         return "it begins with none of `https://`, `http://` and `mailto:`"
     return "" if parts.hostname else f"behind `{parts.scheme}://` stands no name of a place"
-
-
-def _text(project: Project, reader: Reader, advice: str) -> tuple[str, Span]:
-    """A text in quotes, or the one that a name or a cell stands for, and where it is written. Raises `Refused`."""
-    word = reader.next()
-    if isinstance(word, String):
-        return bare_text(word), word.span
-    expansion = expand(project, word, reader.scope) if isinstance(word, Name | Dotted) else None
-    if word is None or expansion is None:
-        raise _no_text(project, word.span if word is not None else reader.span, advice)
-    if expansion.cell is not None:
-        return expansion.cell.text.strip(), word.span
-    with inside(project, expansion, word.span):
-        inner = Reader(expansion.words, expansion.scope, word.span)
-        found = _text(project, inner, advice)
-        left_over(project, inner)
-        return found[0], word.span
-
-
-def _no_text(project: Project, span: Span, advice: str) -> Refused:
-    return project.refuse("FS312", span, text=span.text, advice=advice)

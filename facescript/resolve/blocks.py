@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any
 
 from facescript.ir.acts import At, Choose, Cue, Do, Node, Say, Sequence, Together, Verb
-from facescript.resolve import background, beside, gaze, shows, speech, stage
+from facescript.resolve import background, beside, gaze, shows, speech, stage, takes
 from facescript.resolve.actions import call
 from facescript.resolve.lines import Line
 from facescript.resolve.marks import check_word
@@ -34,6 +34,7 @@ HANDLERS: dict[str, Handler] = {
     "add": shows.add,
     "drop": shows.drop,
     **dict.fromkeys(shows.POSES, shows.gesture),
+    "play": takes.play,
     "wait": stage.wait,
     "background": background.background,
     "view": stage.view,
@@ -196,8 +197,6 @@ def _no_verb(project: Project, word: tree.Word, phrases: tuple[tree.Phrase, ...]
     whole = phrases[0].span.to(phrases[-1].span)
     if verb in ENDINGS:
         return project.refuse("FS227", word.span, word=verb)
-    if verb == "play":
-        return project.refuse("FS803", whole)
     if verb == "say":
         return project.refuse("FS312", whole, text=whole.text, advice="a line cannot stand inside a line")
     if is_shown(project, word):

@@ -16,6 +16,7 @@ from facescript.resolve.sums import quantity
 from facescript.resolve.units import TIME, article
 from facescript.resolve.words import ENDINGS
 from facescript.syntax import tree
+from facescript.text import Span
 
 TEXTUAL = ("heard", "touched", "key", "signal")
 PERSONAL = ("arrives", "leaves", "nearest")
@@ -27,13 +28,24 @@ EVENT = '`event heard "no" at 3s` or `event TARGET arrives at 2s`'
 
 def reaction(project: Project, node: tree.When, cast: tuple[str, ...], number: int) -> Reaction:
     """A reaction; its labels are `when.NUMBER.name`. Raises `Refused`."""
-    event = _pattern(project, node)
+    return reacting(project, _pattern(project, node), node.body, node.span, cast, f"when.{number}.")
+
+
+def reacting(
+    project: Project,
+    event: EventPattern,
+    block: tuple[tree.Statement, ...],
+    span: Span,
+    cast: tuple[str, ...],
+    prefix: str,
+) -> Reaction:
+    """What an event starts: a block and the word it may end in; its labels begin with `prefix`. Raises `Refused`."""
     bindings = {event.binds: Person(event.binds)} if event.binds else {}
-    body, ending = _ending(node.body)
-    scope = Scope(dict(bindings), gather(project, body, f"when.{number}."))
+    body, ending = _ending(block)
+    scope = Scope(dict(bindings), gather(project, body, prefix))
     place = Place(scope, cast[0] if len(cast) == 1 else None, cast)
     items = statements(project, body, place)
-    return Reaction(event, Sequence(items, node.span, clock=True), ending, node.span)
+    return Reaction(event, Sequence(items, span, clock=True), ending, span)
 
 
 def _ending(

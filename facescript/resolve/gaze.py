@@ -7,14 +7,14 @@ from typing import Literal, cast
 from facescript.ir.acts import GazeManner, GazeParts, Glance, Look, Scan
 from facescript.ir.values import Aim, Amount
 from facescript.resolve.aims import read_aim, read_crowd, read_direction
-from facescript.resolve.arithmetic import bounds
 from facescript.resolve.lines import Line
 from facescript.resolve.place import Place
 from facescript.resolve.project import Project
 from facescript.resolve.reader import Reader
 from facescript.resolve.shows import timing
+from facescript.resolve.speeds import speed_of
 from facescript.resolve.suggest import replace
-from facescript.resolve.units import SHARE, TIME, written
+from facescript.resolve.units import SHARE, TIME
 from facescript.space.main_sequence import HURRY
 
 SLOWEST = 0.01
@@ -75,7 +75,7 @@ def _aim(project: Project, reader: Reader, place: Place) -> Aim:
 
 def _manner(line: Line) -> GazeManner:
     parts = next((name for name in PARTS if name in line.parts), "eyes then head")
-    speed = _speed(line)
+    speed = speed_of(line, SLOWEST, HURRY, "a look has")
     latency = line.amount("latency", TIME)
     share: Amount | None = line.amount("head", SHARE)
     return GazeManner(
@@ -84,16 +84,3 @@ def _manner(line: Line) -> GazeManner:
         speed,
         0.0 if latency is None else latency,
     )
-
-
-def _speed(line: Line) -> Amount:
-    """How fast eyes and head are to move, within what they can do. Raises `Refused`."""
-    speed = line.amount("speed", SHARE)
-    if speed is None:
-        return 1.0
-    low, high = bounds(speed)
-    if low < SLOWEST or high > HURRY:
-        span = line.spans["speed"]
-        limits = f"a look has {written(SHARE, SLOWEST)} to {written(SHARE, HURRY)} of the usual speed"
-        raise line.project.refuse("FS304", span, text=span.text, limits=limits)
-    return speed

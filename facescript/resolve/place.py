@@ -38,7 +38,7 @@ def doer(project: Project, verb: str, place: Place, span: Span) -> str | None:
         names = ", ".join(f"`{name}:`" for name in place.cast)
         raise project.refuse("FS212", place.site or span, names=names)
     face = project.faces.get(place.face)
-    if face is not None and not face.seen and verb not in ("say", "play"):
+    if face is not None and not face.seen and verb != "say":
         raise project.refuse("FS237", place.site or span, name=place.face, verb=verb)
     return place.face
 

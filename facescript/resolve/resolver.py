@@ -47,17 +47,28 @@ def resolve(
     `overrides` are values of `let`s by name, as text of the language (`--set NAME=VALUE`); `memo` knows what the states
     of a script came to that is edited.
     """
-    project = Project(world, diagnostics, library_names(library(world)), memo or Memo())
+    project = begun(script, world, diagnostics, memo or Memo())
+    return play_of(project, script, overrides)
+
+
+def begun(script: tree.Script, world: World, diagnostics: Diagnostics, memo: Memo) -> Project:
+    """The project of a script of which nothing is resolved yet."""
+    project = Project(world, diagnostics, library_names(library(world)), memo)
     project.memo.begin(project, script)
     project.most += EACH * script.source.text.count("\n")
+    return project
+
+
+def play_of(project: Project, script: tree.Script, overrides: Mapping[str, str] = NOTHING) -> Play | None:
+    """`resolve` in a project that was begun for it, and that knows the script's names from then on."""
     try:
         play = _resolved(project, script, overrides)
     except TooMuch as fault:
         span, most, what = fault.args
-        diagnostics.add(diagnose("FS322", span, most=most, what=what))
+        project.diagnostics.add(diagnose("FS322", span, most=most, what=what))
         project.memo.forget()
         return None
-    return None if diagnostics.failed else play
+    return None if project.diagnostics.failed else play
 
 
 def _resolved(project: Project, script: tree.Script, overrides: Mapping[str, str]) -> Play:

@@ -75,7 +75,7 @@ MODIFIERS: dict[str, Modifier] = _rows(
     _fixed("eyes only", "parts", "the head stays"),
     _fixed("head only", "parts", "the eyes stay straight in the head"),
     Modifier("head", ("head", VALUE), "percentage", "how much of the way the head goes"),
-    _valued("speed", "percentage", "how fast eyes and head move"),
+    _valued("speed", "percentage", "how fast eyes and head move, or a recorded face is played"),
     _valued("latency", "time", "how long after its time the look begins"),
     Modifier("each", (VALUE, "each"), "time", "how long each of the crowd is looked at"),
     _fixed("in order", "order", "the crowd as it is written"),
@@ -132,7 +132,7 @@ VERBS: dict[str, Verb] = _verbs(
     Verb("blink", "blink PERCENTAGE", ("for", "as"), "100%", "blinks once"),
     Verb("wink", "wink left|right PERCENTAGE", ("for", "as"), "100%", "winks with its own left or right eye"),
     Verb("say", 'say "TEXT"', (*VOICE, "from", "timed", "as"), "the face's voice", "speaks a text"),
-    Verb("play", 'play "FILE"', ("as",), "", "performs recorded channels"),
+    Verb("play", 'play "FILE"', ("for", "speed", "as"), "to the file's end", "performs a recorded face"),
     Verb("wait", "wait TIME", ("as",), "", "lets time pass; `wait until TIME` waits for a moment"),
     Verb(
         "background",

@@ -5,7 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from facescript.ir.acts import Add, Do, Drop, Gesture, Glance, Look, Say, Scan, Show, Verb, Wait, WaitUntil, in_pass
+from facescript.ir.acts import (
+    Add,
+    Do,
+    Drop,
+    Gesture,
+    Glance,
+    Look,
+    Perform,
+    Say,
+    Scan,
+    Show,
+    Verb,
+    Wait,
+    WaitUntil,
+    in_pass,
+)
 from facescript.schedule.defaults import seconds
 from facescript.schedule.steps import NEVER, SETTLED, START, Root, Step
 from facescript.schedule.voices import Voices, whole_words, word_end
@@ -52,6 +67,8 @@ def walk(roots: Iterable[Root]) -> Iterator[tuple[Step, tuple[str, ...]]]:
     waiting += [(root.top, ()) for root in reversed(tuple(roots))]
     while waiting:
         step, around = waiting.pop()
+        if step.over:
+            continue
         label = step.node.label
         names = (*around, in_pass(label, step.passes)) if label else around
         yield step, names
@@ -59,8 +76,8 @@ def walk(roots: Iterable[Root]) -> Iterator[tuple[Step, tuple[str, ...]]]:
             waiting += [(child, names) for child in reversed(step.children)]
 
 
-def deeds(roots: Iterable[Root], voices: Voices) -> tuple[list[Deed], list[Step]]:
-    """What is done, and the steps that come too late to be done."""
+def deeds(roots: Iterable[Root], voices: Voices, before: int = 0) -> tuple[list[Deed], list[Step]]:
+    """What is done, and the steps that come too late to be done; so many deeds were done before."""
     done: list[Deed] = []
     late: list[Step] = []
     for step, names in walk(roots):
@@ -74,7 +91,7 @@ def deeds(roots: Iterable[Root], voices: Voices) -> tuple[list[Deed], list[Step]
             assert step.verb is not None
             release = _release(step, step.verb, start)
             settled = _settled(step, step.verb, release, voices)
-            done.append(Deed(len(done), step, step.verb, node.face, start, settled, release, names))
+            done.append(Deed(before + len(done), step, step.verb, node.face, start, settled, release, names))
     return done, late
 
 
@@ -102,14 +119,14 @@ def _settled(step: Step, verb: Verb, release: float, voices: Voices) -> float:
     settled = step.time(SETTLED)
     if isinstance(verb, Say):
         return max(sound.end for sound in soundings(step, voices))
-    if isinstance(verb, (Look, Glance, Show, Add)) and verb.timing.lasting is not None:
+    if isinstance(verb, (Look, Glance, Show, Add, Perform)) and verb.timing.lasting is not None:
         return min(settled, release)
     return settled
 
 
 def _release(step: Step, verb: Verb, start: float) -> float:
     """When an act begins to let go: after its `for`, with its cue, or with what it stands in where that is cut."""
-    if isinstance(verb, (Look, Glance, Show, Add)):
+    if isinstance(verb, (Look, Glance, Show, Add, Perform)):
         lasting = verb.timing.lasting
         release = min(NEVER if lasting is None else start + seconds(lasting), step.until)
         kept = release == NEVER and not (isinstance(verb, Add) and step.root.afresh)

@@ -7,7 +7,7 @@ from dataclasses import fields, is_dataclass, replace
 from functools import cache
 from typing import Any, TypeVar, cast
 
-from facescript.ir.acts import Add, Drop, Gesture, Glance, Say, Show, Timing, Verb
+from facescript.ir.acts import Add, Drop, Gesture, Glance, Perform, Say, Show, Timing, Verb
 from facescript.ir.random import between
 from facescript.ir.values import Amount, Draw
 from facescript.text import Span
@@ -28,6 +28,9 @@ NATURAL = "out"
 
 LASTING = {"nod": 0.7, "shake": 0.9, "tilt": 0.9, "blink": 0.3, "wink": 0.4}
 """Lengths of gestures, s. A blink takes 0.2 to 0.4 s in all (motion.md 5); a nod of an announcer 0.34 to 0.94 s."""
+
+JOINED = 0.2
+"""Seconds in which a recorded face comes in, and lets go."""
 
 GLANCE = 0.5
 """A glance is "half a second" (language.md, the table of what settles when)."""
@@ -102,6 +105,10 @@ def filled(verb: Verb) -> Verb:
         return replace(verb, timing=_timing(verb.timing, lasting=LASTING[verb.kind]))
     if isinstance(verb, Glance):
         return replace(verb, timing=_timing(verb.timing, lasting=GLANCE))
+    if isinstance(verb, Perform):
+        whole = verb.take.duration / seconds(verb.speed)
+        lasting = whole if verb.timing.lasting is None else min(whole, seconds(verb.timing.lasting))
+        return replace(verb, timing=Timing(JOINED, lasting, JOINED))
     return verb
 
 

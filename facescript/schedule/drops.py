@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from facescript.ir.acts import Add, Drop, Glance, Look, Scan, Show, in_pass
+from facescript.ir.acts import Add, Drop, Glance, Look, Perform, Scan, Show, in_pass
 from facescript.ir.values import Term
 from facescript.schedule.deeds import Deed
 from facescript.schedule.steps import NEVER
@@ -27,8 +27,8 @@ class _Worn:
 
 
 def take_off(deeds: Iterable[tuple[Deed, int]]) -> tuple[dict[int, tuple[Key, ...]], list[Deed]]:
-    """The terms that each drop lets go, by its order, and the drops that find nothing. A look that is dropped by its
-    statement's name lets go from there on. Each deed comes with its scene."""
+    """The terms that each drop lets go, by its order, and the drops that find nothing. A look or a take that is dropped
+    by its statement's name lets go from there on. Each deed comes with its scene."""
     worn: dict[tuple[str | None, int], _Worn] = {}
     found: dict[int, tuple[Key, ...]] = {}
     idle = []
@@ -36,7 +36,7 @@ def take_off(deeds: Iterable[tuple[Deed, int]]) -> tuple[dict[int, tuple[Key, ..
         wearing = worn.setdefault((deed.face, scene), _Worn())
         if isinstance(deed.verb, (Show, Add)):
             _put_on(wearing, deed, deed.verb.mix.terms, isinstance(deed.verb, Show))
-        elif isinstance(deed.verb, (Look, Glance, Scan)):
+        elif isinstance(deed.verb, (Look, Glance, Scan, Perform)):
             for name in deed.names:
                 wearing.looks.setdefault(name, []).append(deed)
         elif isinstance(deed.verb, Drop):

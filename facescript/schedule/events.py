@@ -99,13 +99,20 @@ def roots(triggers: list[Trigger], maker: Maker, long: float) -> Iterator[Root]:
     cuts = _cuts(triggers, long)
     for rank, trigger in enumerate(triggers, 1):
         counts[trigger.number] += 1
-        event = trigger.reaction.event
-        place = ("when", event.kind, event.text, trigger.number, counts[trigger.number])
-        persons = ((event.binds, trigger.person),) if event.binds and trigger.person else ()
-        root = Root(rank, place, trigger.time, maker, True, persons)
-        root.afresh = cuts[rank - 1] < long
-        root.plant(trigger.reaction.body, cuts[rank - 1])
-        yield root
+        cut = cuts[rank - 1]
+        yield planted(trigger, rank, counts[trigger.number], maker, cut, cut < long)
+
+
+def planted(trigger: Trigger, rank: int, count: int, maker: Maker, limit: float, afresh: bool) -> Root:
+    """The tree of a reaction that was started `count` times so far; it is cut at `limit`, for its event where that
+    starts it `afresh`."""
+    event = trigger.reaction.event
+    place = ("when", event.kind, event.text, trigger.number, count)
+    persons = ((event.binds, trigger.person),) if event.binds and trigger.person else ()
+    root = Root(rank, place, trigger.time, maker, True, persons)
+    root.afresh = afresh
+    root.plant(trigger.reaction.body, limit)
+    return root
 
 
 def _cuts(triggers: list[Trigger], long: float) -> list[float]:

@@ -93,5 +93,6 @@ def _follow(base: Step, route: Route) -> Generator[Need, Time, Step | None]:
 def _last_saying(step: Step, cue: int) -> int:
     """The index of a cue in the last saying of a line; any other index as it is."""
     if isinstance(step.node, Do) and isinstance(step.node.verb, Say):
-        return (len(step.sayings) - 1) * len(step.node.verb.cues) + cue
+        before = step.begun.first if step.begun else 0
+        return (before + len(step.sayings) - 1) * len(step.node.verb.cues) + cue
     return cue

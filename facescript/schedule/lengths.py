@@ -12,6 +12,7 @@ from facescript.ir.acts import (
     Gesture,
     Glance,
     Look,
+    Perform,
     Scan,
     SetBackground,
     SetLife,
@@ -55,7 +56,7 @@ class Lengths:
         start = step.time(START)
         step.verb = verb = self._made(step, verb, start)
         step.root.maker.take(step, self._weight(verb, start))
-        if isinstance(verb, (Look, Glance, Show, Add, Gesture)) and verb.timing.lasting is not None:
+        if isinstance(verb, (Look, Glance, Show, Add, Gesture, Perform)) and verb.timing.lasting is not None:
             return seconds(verb.timing.lasting)
         if isinstance(verb, Look):
             return self.facts.looks.get(step.key(), LANDING)

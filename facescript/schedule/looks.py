@@ -16,7 +16,8 @@ from facescript.schedule.dwells import dwells
 from facescript.schedule.presence import Presence
 from facescript.schedule.steps import NEVER, Key
 from facescript.space.plan import GazePlan
-from facescript.space.planner import GazeRequest, Rest, plan_gaze, plan_on, scan_stops
+from facescript.space.planner import GazeRequest, Rest, plan_gaze, plan_on
+from facescript.space.scans import scan_stops
 
 GRAIN = 4
 """Decimals of a look's length: times that differ by less are the same, so that rounds come to rest."""
@@ -40,7 +41,7 @@ class Gaze:
         for deed in deeds:
             if isinstance(deed.verb, (Look, Glance, Scan)) and deed.face is not None:
                 scene = scene_at(scenes, deed)
-                requests.setdefault(deed.face, []).extend(self._requests(deed, scene, scenes[scene]))
+                requests.setdefault(deed.face, []).extend(self.requests(deed, scene, scenes[scene]))
         plans: dict[int, tuple[GazePlan, ...]] = {}
         for name, asked in requests.items():
             if self.rests is None:
@@ -50,13 +51,15 @@ class Gaze:
                 planned, self.left[name], still = plan_on(room, self.faces[name], asked, rest)
                 self.still = max(self.still, still)
             for order, stop in sorted(planned):
+                assert isinstance(order, int), "requests of a round are known by the orders of its deeds"
                 plans[order] = (*plans.get(order, ()), *planned[order, stop])
         return plans
 
-    def _requests(self, deed: Deed, scene: int, start: float) -> list[GazeRequest]:
+    def requests(self, deed: Deed, scene: int, start: float) -> list[GazeRequest]:
+        """What a deed of a scene that starts then asks of eyes and head; their keys are its order and their numbers."""
         verb, people, persons = deed.verb, self.presence.people(deed.start), deed.root.persons
         if isinstance(verb, Scan):
-            return self._stops(deed, verb, scene, deed.start - start)
+            return self._stops(deed, verb, scene, start)
         assert isinstance(verb, (Look, Glance))
         over = None if verb.timing.over is None else seconds(verb.timing.over)
         glance = isinstance(verb, Glance)
@@ -64,11 +67,12 @@ class Gaze:
         whole = (deed.start, deed.release, over, scene, glance, persons, people, place)
         return [GazeRequest((deed.order, 0), verb.aim, verb.manner, *whole)]
 
-    def _stops(self, deed: Deed, scan: Scan, scene: int, clock: float) -> list[GazeRequest]:
+    def _stops(self, deed: Deed, scan: Scan, scene: int, start: float) -> list[GazeRequest]:
         """A request for each stop that begins before the scan lets go; they let go together, at its end."""
         assert deed.face is not None
         people, place = self.presence.people(deed.start), deed.step.place()
-        aims = scan_stops(self.presence.room, self.faces[deed.face], scan, clock, self.seed, people, place)
+        room, clock = self.presence.room.of(start), deed.start - start
+        aims = scan_stops(room, self.faces[deed.face], scan, clock, self.seed, people, place)
         starts = accumulate(dwells(scan, len(aims), self.seed, place), initial=deed.start)
         return [
             GazeRequest((deed.order, number), aim, scan.manner, start, deed.release, None, scene, False)

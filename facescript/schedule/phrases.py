@@ -10,6 +10,7 @@ from facescript.ir.acts import (
     Gesture,
     Glance,
     Look,
+    Perform,
     Say,
     Scan,
     SetBackground,
@@ -54,6 +55,8 @@ def _rest(verb: Verb) -> str:
     match verb:
         case Drop(name):
             return f"drop {name}"
+        case Perform(take, speed):
+            return f'play "{take.path}"{"" if speed == 1.0 else f", speed {percent(speed)}"}'
         case SetBackground():
             return f"background {_ground(verb)}"
         case View(face, zoom):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from facescript.ir.acts import Do, Say
@@ -14,8 +14,23 @@ from facescript.schedule.facts import Control, Hold, Holds
 from facescript.schedule.lengths import PAUSE
 from facescript.schedule.rules import Times
 from facescript.schedule.solver import Solver
-from facescript.schedule.steps import DONE, NEVER, START, Key, Maker, Root, Step, ends_in_line
+from facescript.schedule.steps import DONE, NEVER, Key, Maker, Root, Step, ends_in_line
 from facescript.schedule.voices import word_end
+
+NUMBER = 3
+"""Where in a reaction's place its number stands."""
+
+
+@dataclass(frozen=True, slots=True)
+class Begin:
+    """With which scene a round begins and when, how many were played before, the number of the first run of each among
+    them, and when that scene's time is up, where that is known."""
+
+    scene: int = 0
+    start: float = 0.0
+    played: int = 0
+    first: tuple[tuple[int, int], ...] = ()
+    limit: float = NEVER
 
 
 @dataclass(slots=True)
@@ -31,7 +46,8 @@ class Played:
 class Round:
     """All the trees of a play, solved. `end` is when the last scene has ended, and `rough` whether that (and at first
     the start of the first one) rests on an estimate. `first` is which scene played was the first run of one of the
-    play's; a `stopped` film lives on after its last scene."""
+    play's; a `stopped` film lives on after its last scene. It may `begin` later than the film, with `orders` deeds done
+    before."""
 
     play: Play
     times: Times
@@ -39,6 +55,8 @@ class Round:
     long: float
     rough: bool = False
     after_line: bool = False
+    begin: Begin = Begin()
+    orders: int = 0
     end: float = 0.0
     scenes: list[Played] = field(default_factory=list)
     first: dict[int, int] = field(default_factory=dict)
@@ -48,28 +66,34 @@ class Round:
     done: list[Deed] = field(default_factory=list)
     late: list[Step] = field(default_factory=list)
 
-    def run(self, triggers: list[Trigger]) -> None:
-        """Solve the reactions, then the scenes that they stop and restart, and gather what is done."""
+    def run(self, triggers: list[Trigger], planted: Iterable[Root] | None = None) -> None:
+        """Solve the reactions, then the scenes that they stop and restart, and gather what is done. The reactions'
+        trees may be `planted` already."""
         solver = Solver(self.times)
-        for root in roots(triggers, self.maker, self.long):
+        for root in roots(triggers, self.maker, self.long) if planted is None else planted:
             solver.solve(root.top, DONE)
             self.reactions.append(root)
         self._play(solver, self._controls(triggers))
-        self.done, self.late = deeds([*(played.root for played in self.scenes), *self.reactions], self.times.voices)
+        trees = [*(played.root for played in self.scenes), *self.reactions]
+        self.done, self.late = deeds(trees, self.times.voices, self.orders)
 
     # -------------------------------------------------------------------------------------------- scenes
 
     def _play(self, solver: Solver, controls: list[Control]) -> None:
         """Play scene after scene. A `stop` ends the scene, a `restart` plays it again; the last scene, once it has
         ended, can still be played again."""
-        number, start, coming = 0, 0.0, 0
+        number, start, coming = self.begin.scene, self.begin.start, 0
+        self.first.update(self.begin.first)
         while number < len(self.play.scenes):
-            if start >= self.long:
+            if start >= min(self.long, self.times.horizon):
                 self.unplayed += [(later, start) for later in range(number, len(self.play.scenes))]
                 return
             while coming < len(controls) and controls[coming].time <= start:
                 coming += 1
             limit = controls[coming].time if coming < len(controls) else NEVER
+            if not self.scenes and self.begin.limit < limit:
+                limit = self.begin.limit
+                controls.insert(coming, Control(limit, "stop"))
             root = self._scene(number, start, min(limit, self.long))
             end, self.rough = solver.solve(root.top, DONE)
             last = number == len(self.play.scenes) - 1
@@ -95,11 +119,11 @@ class Round:
 
     def _scene(self, number: int, start: float, limit: float) -> Root:
         scene = self.play.scenes[number]
-        again = len(self.scenes) - self.first.setdefault(number, len(self.scenes))
+        index = self.begin.played + len(self.scenes)
+        again = index - self.first.setdefault(number, index)
         root = Root(0, ("scene", scene.name, *([again] if again else [])), start, self.maker, scene=len(self.scenes))
         root.after_line = self.after_line
-        root.plant(scene.body, limit, self.rough)
-        root.top.index = len(self.scenes)
+        root.plant(scene.body, limit, self.rough, index)
         return root
 
     # -------------------------------------------------------------------------------------------- what it learns
@@ -113,12 +137,13 @@ class Round:
     def holds(self) -> Holds:
         """Which voices the reactions have, when."""
         ends = _ends(self.reactions)
-        first: dict[tuple[int, str], tuple[float, float]] = {}
-        for step, due in self.times.requests:
+        past = self.maker.past
+        first: dict[tuple[int, str], tuple[float, float]] = dict(past.voiced) if past is not None else {}
+        for step, due, start in self.times.requests:
             assert isinstance(step.node, Do) and step.node.face is not None
             if due < step.limit:
                 key = (step.root.rank, step.node.face)
-                wait = (due, step.time(START) - due)
+                wait = (due, start - due)
                 first[key] = min(wait, first.get(key, wait))
         holds = (Hold(face, rank, due, *ends[rank], delay) for (rank, face), (due, delay) in first.items())
         return Holds(tuple(sorted(holds, key=lambda hold: (hold.start, hold.rank))))
@@ -129,7 +154,7 @@ class Round:
             return {}
         sounding = _Voiced(list(self.sounds()))
         delays: dict[Key, float] = {}
-        for step, due in self.times.requests:
+        for step, due, _ in self.times.requests:
             for one in sounding.at(step, due):
                 spoken = self.times.voices.speak(one.line, one.step.node.span)
                 end = min(one.end, one.start + word_end(spoken, due - one.start))
@@ -176,11 +201,11 @@ def _ends(reactions: Sequence[Root]) -> dict[int, tuple[float, float]]:
     """When each reaction has settled, and the pause before a line that follows; one that is started afresh has when
     its follower has."""
     ends: dict[int, tuple[float, float]] = {}
-    followers: dict[int, tuple[float, float]] = {}
+    followers: dict[Hashable, tuple[float, float]] = {}
     for root in reversed(reactions):
-        body = id(root.top.node)
+        number = root.place[NUMBER]
         own = (root.top.time(DONE), PAUSE if ends_in_line(root.top) else 0.0)
         if root.afresh and own[0] > root.top.limit:
-            own = followers[body]
-        ends[root.rank] = followers[body] = own
+            own = followers[number]
+        ends[root.rank] = followers[number] = own
     return ends

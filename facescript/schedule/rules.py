@@ -17,15 +17,16 @@ from facescript.schedule.voices import CLOSE, Voices, ends_at, starts_at
 
 @dataclass(slots=True)
 class Times:
-    """The rules for one round of the solution. `requests` are the lines of reactions and when they are due,
-    `cut` the repeats that have not come to their end."""
+    """The rules for one round of the solution. `requests` are the lines of reactions, when they are due and when they
+    start, `cut` the repeats that have not come to their end. Where there is a `horizon` no pass begins beyond it."""
 
     lengths: Lengths
     voices: Voices
     labels: Labels
     faults: Faults
-    requests: list[tuple[Step, float]] = field(default_factory=list)
+    requests: list[tuple[Step, float, float]] = field(default_factory=list)
     cut: list[tuple[Step, float]] = field(default_factory=list)
+    horizon: float = NEVER
 
     def rule(self, step: Step, edge: int) -> Rule | Time:
         if edge == START:
@@ -58,8 +59,8 @@ class Times:
             if after_line(step):
                 time += PAUSE
             if step.root.reaction:
-                self.requests.append((step, time))
-                time = max(time, self.lengths.facts.delays.get(step.key(), time))
+                due, time = time, max(time, self.lengths.facts.delays.get(step.key(), time))
+                self.requests.append((step, due, time))
         return time, rough
 
     def _moment(self, step: Step, moment: Moment) -> Rule:
@@ -144,7 +145,7 @@ class Times:
         rough = rough or spoken.estimated
         step.children = []
         if start < NEVER:
-            for number, (begin, cut) in enumerate(step.sayings):
+            for number, (begin, cut) in enumerate(step.sayings, step.begun.first if step.begun else 0):
                 self._cues(step, say, number * len(say.cues), begin, NEVER if cut is None else cut, rough)
         return step.sayings[-1][0] + spoken.duration, rough
 
@@ -181,13 +182,17 @@ class Times:
         if repeat.lasting is not None:
             end = start + self.lengths.concrete.amount(repeat.lasting, step.place, "lasting")
             limit = min(limit, end)
-        if limit == NEVER and repeat.times is None:
+        if limit == NEVER and repeat.times is None and self.horizon == NEVER:
             self.faults.endless(step)
             return start, rough
         step.children = []
-        while time < limit and (repeat.times is None or number < repeat.times):
+        if step.begun is not None:
+            number, time = step.begun.first, step.begun.done
+        while time < min(limit, self.horizon) and (repeat.times is None or number < repeat.times):
             number += 1
             entry = self._pass(step, repeat, number, limit)
+            if entry.before is None and number > 1:
+                entry.times[START] = (time, rough)
             before, (time, loose) = time, (yield (entry, SETTLED))
             rough = rough or loose
             if repeat.times is None and time <= before:
@@ -199,6 +204,8 @@ class Times:
             return NEVER, False
         if number < repeat.times:
             self.cut.append((step, time))
+            if time < limit:
+                return NEVER, False
         return time, rough
 
     def _pass(self, step: Step, repeat: Repeat, number: int, limit: float) -> Step:
@@ -219,6 +226,8 @@ class Times:
 
     def _all_inside(self, step: Step) -> Rule:
         latest = yield (step, SETTLED if isinstance(step.node, (Do, Repeat)) else START)
+        if step.begun is not None:
+            latest = max(latest[0], step.begun.done), latest[1]
         if isinstance(step.node, At) and latest[0] == NEVER:
             return latest
         if isinstance(step.node, Repeat):
@@ -228,4 +237,4 @@ class Times:
             if isinstance(child.node, At) and time == NEVER and child.time(START) == NEVER:
                 continue
             latest = max(latest[0], time), latest[1] or rough
-        return latest
+        return (NEVER, False) if step.goes_on else latest

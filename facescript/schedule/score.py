@@ -65,11 +65,14 @@ class TimedLine:
 
 @dataclass(frozen=True, slots=True)
 class TimedScene:
+    """A scene as it is played. `again` is how often it was played before; None where those are in the score too."""
+
     name: str
     faces: tuple[str, ...]
     start: float
     end: float
     title: str = ""
+    again: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

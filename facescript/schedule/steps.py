@@ -13,11 +13,46 @@ START, SETTLED, DONE = range(3)
 
 NEVER = float("inf")
 
+AHEAD = 256
+"""Of a block of a play that goes on so many statements are looked ahead."""
+
 Time = tuple[float, bool]
 """Seconds from the film's start, and whether the duration of a line that was only estimated is in it."""
 
 Key = tuple[int, ...]
 """A step's place in the tree of steps: the same in every round of the solution, in the order written."""
+
+
+@dataclass(frozen=True, slots=True)
+class Begun:
+    """A block, a `repeat` or a line of which the `first` so many statements, passes or sayings are over: when the last
+    of them was `done`, and whether it was a `line` that moved the sequence on last."""
+
+    first: int
+    done: float = 0.0
+    line: bool = False
+
+
+@dataclass(slots=True)
+class Past:
+    """What is over of a play that goes on, and is not solved again: the blocks that have `begun`, the `starts` of the
+    steps that have, how long `looks` take, and the steps that are `awaited` by name, by the block they stand in; all by
+    the steps' keys. `voiced` says since when a reaction (its rank) has a face's voice, and how long it waited for it.
+    """
+
+    begun: dict[Key, Begun] = field(default_factory=dict)
+    starts: dict[Key, float] = field(default_factory=dict)
+    looks: dict[Key, float] = field(default_factory=dict)
+    awaited: dict[Key, tuple[Step, ...]] = field(default_factory=dict)
+    voiced: dict[tuple[int, str], tuple[float, float]] = field(default_factory=dict)
+
+    def resume(self, step: Step) -> None:
+        """A step that is made goes on from where it is."""
+        key = step.key()
+        step.begun = self.begun.get(key)
+        start = self.starts.get(key)
+        if start is not None:
+            step.times[START] = (start, False)
 
 
 class TooMany(Exception):
@@ -29,10 +64,12 @@ class TooMany(Exception):
 
 @dataclass(slots=True)
 class Maker:
-    """What every step is made with: the seed, how many more may be made, and the names the seed knows them by."""
+    """What every step is made with: the seed, how many more may be made, what is over already, and the names the seed
+    knows them by."""
 
     seed: int
     left: int
+    past: Past | None = None
     _names: dict[int, tuple[str, ...]] = field(default_factory=dict)
 
     def take(self, step: Step, count: int = 1) -> None:
@@ -73,9 +110,9 @@ class Root:
     after_line: bool = False
     top: Step = field(init=False)
 
-    def plant(self, body: Sequence, limit: float, rough: bool = False) -> Step:
-        """The step of the whole block."""
-        self.top = Step(body, self, None, 0, limit)
+    def plant(self, body: Sequence, limit: float, rough: bool = False, index: int = 0) -> Step:
+        """The step of the whole block; `index` tells the runs of scenes apart."""
+        self.top = Step(body, self, None, index, limit)
         self.top.times[START] = (self.start, rough)
         return self.top
 
@@ -87,6 +124,8 @@ class Step:
     `before` is the step it follows in its sequence; `limit` is when it is cut (a `repeat for`, the film's end, a scene
     that is stopped): nothing starts from there on. `until` is the end of the inline cue it belongs to. What is in a
     `quiet` step may be cut without a word. `sayings` are the starts and cuts of a line: the last is whole.
+    A step that is under way may have `begun`; one that is `over` is there only to be asked for its times; one that
+    `goes_on` has more statements than were made.
     """
 
     node: Node
@@ -103,9 +142,15 @@ class Step:
     times: list[Time | None] = field(default_factory=lambda: [None, None, None])
     verb: Verb | None = None
     sayings: tuple[tuple[float, float | None], ...] = ()
+    begun: Begun | None = None
+    over: bool = False
+    goes_on: bool = False
 
     def __post_init__(self) -> None:
-        self.root.maker.take(self)
+        maker = self.root.maker
+        maker.take(self)
+        if maker.past is not None:
+            maker.past.resume(self)
 
     def time(self, edge: int) -> float:
         """A time that is solved; NEVER where nobody ever asked for it."""
@@ -148,9 +193,15 @@ class Step:
         return [self.child(node.body, 0)] if isinstance(node, At) else []
 
     def _row(self, node: Sequence) -> list[Step]:
-        made: list[Step] = []
+        past, first = self.root.maker.past, self.begun.first if self.begun else 0
+        made: list[Step] = list(past.awaited.get(self.key(), ())) if past is not None else []
+        last = len(node.items) if past is None else first + AHEAD
+        self.goes_on = last < len(node.items)
         before = None
-        for index, item in enumerate(node.items):
+        for index in range(first, len(node.items)):
+            item = node.items[index]
+            if index >= last and not isinstance(item, At):
+                continue
             made.append(self.child(item, index, before))
             if not isinstance(item, At):
                 before = made[-1]
@@ -208,9 +259,9 @@ def ends_in_line(step: Step) -> bool:
             return isinstance(node.verb, Say)
         if isinstance(node, (Together, At)) or (isinstance(node, Repeat) and node.lasting is not None):
             return False
-        moved = [child for child in step.children or () if not isinstance(child.node, At)]
+        moved = [child for child in step.children or () if not (isinstance(child.node, At) or child.over)]
         if not moved:
-            return False
+            return step.begun is not None and step.begun.line
         step = moved[-1]
 
 
@@ -222,5 +273,7 @@ def after_line(step: Step) -> bool:
             return step.root.after_line
         if not isinstance(parent.node, (Sequence, Choose, Repeat)):
             return False
+        if parent.begun is not None:
+            return parent.begun.line
         step = parent
     return ends_in_line(step.before)

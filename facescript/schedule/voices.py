@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 
 from facescript.ir.acts import Say
@@ -49,6 +50,13 @@ class Voices:
             self.outside.append((bare, spoken))
         self.doubts += ((span, bare, doubt) for doubt in spoken.doubts)
         return spoken
+
+    def forget(self, kept: Collection[Say]) -> None:
+        """Know no lines any more but those `kept`, which have no cues."""
+        for line in [line for line in self.alike if line not in kept]:
+            del self.alike[line]
+        for known in (self._spoken, self._places, self.failures, self.doubts, self.outside):
+            known.clear()
 
     def word(self, line: Say, span: Span, word: str, nth: int) -> tuple[float, float]:
         """Seconds from the line's start to the start and the end of a word. Raises `ValueError` where the play asks

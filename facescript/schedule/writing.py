@@ -10,6 +10,7 @@ from facescript.ir.acts import (
     AddLink,
     Glance,
     Look,
+    Perform,
     Scan,
     SetBackground,
     SetLife,
@@ -51,11 +52,11 @@ class Writing:
 
     def written(self) -> Written:
         starts = self.round.starts()
-        acts = tuple(self._act(deed, starts) for deed in self.round.done)
-        lines = tuple(self._line(sound) for sound in self.sounds)
+        acts = tuple(self.act(deed, starts) for deed in self.round.done)
+        lines = tuple(self.line(sound) for sound in self.sounds)
         return Written(acts, lines, tuple(self._markers()), tuple(self._blocks()), self._lasts(acts, lines))
 
-    def _act(self, deed: Deed, scenes: Sequence[float]) -> TimedAct:
+    def act(self, deed: Deed, scenes: Sequence[float]) -> TimedAct:
         """The act of a deed. `scenes` are the scenes' starts."""
         plan = self.plans.get(deed.order, ())
         return TimedAct(
@@ -82,7 +83,8 @@ class Writing:
             return 0
         return int(chance(self.seed, deed.face, *deed.step.place(), "apex") * SEEDS)
 
-    def _line(self, sound: Sounding) -> TimedLine:
+    def line(self, sound: Sounding) -> TimedLine:
+        """A line as far as it sounds."""
         node, said = sound.step.node, sound.line
         spoken = self.round.times.voices.speak(said, node.span)
         label = in_pass(node.label, sound.step.passes) if node.label else None
@@ -119,7 +121,7 @@ class Writing:
 
 def _end(deed: Deed, plan: tuple[GazePlan, ...]) -> float:
     """When nothing is left of an act."""
-    if isinstance(deed.verb, (Show, Add)):
+    if isinstance(deed.verb, (Show, Add, Perform)):
         return deed.release + seconds(deed.verb.timing.back)
     if isinstance(deed.verb, (Look, Glance, Scan)):
         return gone(plan, deed.release)

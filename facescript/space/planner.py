@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from heapq import heapify, heappop, heappush
 from math import inf
 
-from facescript.ir.acts import GazeManner, Scan
+from facescript.ir.acts import GazeManner
 from facescript.ir.play import Face
-from facescript.ir.random import between, chance
-from facescript.ir.values import Aim, AtCamera, Away, Towards
+from facescript.ir.values import Aim, AtCamera, Away
+from facescript.space.away import averted
+from facescript.space.live import LiveSightings
 from facescript.space.plan import GazePlan
 from facescript.space.reach import Direction
 from facescript.space.room import Room
 from facescript.space.shift import Shifter, Wish, number
 from facescript.space.sightings import HOLD, LATENCY, NOTICED, Absence
 
-Key = tuple[int, int]
+Key = tuple[int | tuple[int, ...], int]
 
 BEGINS, RELEASES, TURNS = 0, 1, 2
 """What happens to a request: at one time, in this order."""
@@ -73,7 +75,7 @@ def plan_gaze(
     for request in requests:
         rows.setdefault(request.scene, []).append(request)
     for scene, own in sorted(rows.items(), key=lambda row: row[0]):
-        plans.update(_Scene(room, face, scenes[min(scene, len(scenes) - 1)]).plan(own))
+        plans.update(Planning(room, face, scenes[min(scene, len(scenes) - 1)]).plan(own))
     return plans
 
 
@@ -103,31 +105,9 @@ def plan_on(
 ) -> tuple[dict[Key, tuple[GazePlan, ...]], Rest, float]:
     """The shifts of requests of one scene, that begin with `rest` (None: as every scene does), from 0 s on; what they
     leave, and from when on that is at rest. Nothing that is looked at may move. Raises `TooMuchGaze`."""
-    scene = _Scene(room, face, 0.0, rest)
+    scene = Planning(room, face, 0.0, rest)
     plans = scene.plan(requests)
     return plans, scene.rest(), max(scene.shifter.eyes.still(), scene.shifter.head.still())
-
-
-def scan_stops(
-    room: Room,
-    face: Face,
-    scan: Scan,
-    start: float,
-    seed: int,
-    people: Sequence[str] = (),
-    place: Sequence[object] = (),
-) -> tuple[Aim, ...]:
-    """The aims of a scan in the order it visits them; `start` is of the scene's clock, `people` as in `Room.bind`.
-
-    `place` tells one scan from another where the order is drawn `at random`.
-    """
-    aims = room.members(scan.crowd, people) or ()
-    if scan.order == "nearest first":
-        return room.nearest_first(face.name, aims, start)
-    if scan.order == "at random":
-        draws = [chance(seed, "scan", face.name, *place, number) for number in range(len(aims))]
-        return tuple(aim for _, aim in sorted(zip(draws, aims, strict=True), key=lambda pair: pair[0]))
-    return aims
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,12 +136,25 @@ class _Turn:
     leaves: Absence | None
 
 
-class _Scene:
-    """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift."""
+@dataclass(frozen=True, slots=True)
+class _Attended:
+    """Since when (scene's clock) a request looks at its target, or since when it has let go of it, which is `gone`."""
+
+    clock: float
+    gone: Absence | None = None
+
+
+class Planning:
+    """Plans one scene of one face: the requests begin and let go in time, and each change of an owner is a shift.
+
+    Where a scene goes on, what was planned of the time before a moment stays as it is (`pass_to`), and what comes later
+    is planned by a `fork`: of requests that have begun it only counts when they let go.
+    """
 
     def __init__(self, room: Room, face: Face, start: float, rest: Rest | None = None) -> None:
-        self.room, self.face, self.start = room, face, start
-        self.shifter = Shifter(room, face, start, *((rest.aim, rest.turned) if rest else ()))
+        self.whole, self.room, self.face, self.start = room, room.of(start), face, start
+        self.room.turn_to(0.0)
+        self.shifter = Shifter(self.room, face, start, *((rest.aim, rest.turned) if rest else ()))
         self.eyes: dict[Key, GazeRequest] = {}
         self.head: dict[Key, GazeRequest] = {}
         self.aims: dict[Key, Aim] = {}
@@ -169,6 +162,8 @@ class _Scene:
         self.plans: dict[Key, list[GazePlan]] = {}
         self.changes: list[tuple[float, int, Key, GazeRequest]] = []
         self.turns: dict[Key, _Turn] = {}
+        self.attended: dict[Key, _Attended] = {}
+        self.begun: dict[Key, GazeRequest] = {}
         if rest:
             self._resume(rest)
 
@@ -189,24 +184,79 @@ class _Scene:
         one = owners.eyes is owners.head
         return Rest(self.shifter.aim, self.shifter.head.goal(0.0), eyes, head, one)
 
+    @property
+    def owners(self) -> set[Key]:
+        """The requests that have eyes or head, or will have them again."""
+        return {*self.eyes, *self.head}
+
+    def fork(self) -> Planning:
+        """Another that goes on from here."""
+        other = copy(self)
+        other.shifter = self.shifter.fork()
+        other.eyes, other.head, other.aims = dict(self.eyes), dict(self.head), dict(self.aims)
+        other.watched, other.turns, other.begun = dict(self.watched), dict(self.turns), dict(self.begun)
+        other.attended = dict(self.attended)
+        other.plans = {key: list(plans) for key, plans in self.plans.items()}
+        return other
+
+    def pass_to(self, time: float, requests: Sequence[GazeRequest]) -> None:
+        """Plan what comes before a time once and for all, and forget all that is not asked for any more."""
+        self._run(requests, time)
+        self.shifter = self.shifter.fork()
+        wanted = {request.key for request in requests} | self.owners | {one.key for one in self.watched.values()}
+        for known in (self.aims, self.plans, self.begun, self.turns, self.attended):
+            for key in [key for key in known if key not in wanted]:
+                del known[key]
+
+    def _come(self, requests: Sequence[GazeRequest]) -> Iterator[tuple[float, int, Key, GazeRequest]]:
+        """What is still to happen to requests, some of which have begun."""
+        for request in requests:
+            held = self.begun.get(request.key)
+            if request.key not in self.plans:
+                yield request.onset, BEGINS, request.key, request
+            if request.released < inf and (held or request.key not in self.plans):
+                yield max(request.released, request.onset), RELEASES, request.key, held or request
+        self._look_again()
+        for key, turn in self.turns.items():
+            yield self.start + turn.clock, TURNS, key, self.begun[key]
+
+    def _look_again(self) -> None:
+        """Of persons who are seen live more may be known than when they were attended to: who is lost, who is found."""
+        for key in self.owners & self.attended.keys():
+            sightings, attended = self.room.sightings(self.face.name, self.aims[key]), self.attended[key]
+            if not isinstance(sightings, LiveSightings):
+                continue
+            if attended.gone:
+                now = sightings.at(attended.gone.start) or attended.gone
+                turn: _Turn | None = _Turn(max(now.end + LATENCY, attended.clock), None)
+            else:
+                next_ = sightings.lets_go(attended.clock)
+                turn = _Turn(*next_) if next_ else None
+            self._await(self.begun[key], turn)
+
     def plan(self, requests: Sequence[GazeRequest]) -> dict[Key, tuple[GazePlan, ...]]:
-        self.changes = [(request.onset, BEGINS, request.key, request) for request in requests]
-        self.changes += [(max(r.released, r.onset), RELEASES, r.key, r) for r in requests if r.released < inf]
+        """The shifts of every request by its key, in time."""
+        self._run(requests, inf)
+        self._judge("eyes", inf)
+        self._judge("head", inf)
+        return {key: tuple(plans) for key, plans in self.plans.items()}
+
+    def _run(self, requests: Sequence[GazeRequest], until: float) -> None:
+        """Plan all that happens before a time."""
+        self.changes = list(self._come(requests))
         heapify(self.changes)
-        while self.changes:
+        while self.changes and self.changes[0][0] < until:
             time, what, _, request = heappop(self.changes)
+            self.room.turn_to(time - self.start)
             if what == TURNS:
                 self._turn(time, request)
             elif what == RELEASES:
                 self._let_go(time, request)
             else:
                 self._begin(time, request)
-            if self.shifter.worked > self.room.left:
+            if self.shifter.worked > self.whole.left:
                 raise TooMuchGaze
-        self.room.left -= self.shifter.worked
-        self._judge("eyes", inf)
-        self._judge("head", inf)
-        return {key: tuple(plans) for key, plans in self.plans.items()}
+        self.whole.left -= self.shifter.worked
 
     def _begin(self, time: float, request: GazeRequest) -> None:
         clock = time - self.start
@@ -215,6 +265,7 @@ class _Scene:
             place = request.place or request.key
             aim = averted(self.shifter.eyes.goal(clock), self.room.film.seed, self.face.name, *place)
         self.aims[request.key] = aim
+        self.begun[request.key] = request
         self._take(request)
         seen = self._attend(request, clock, known=False)
         wish = Wish(seen, request.manner.parts, request.manner, request.over, request.glance, request.released)
@@ -233,11 +284,17 @@ class _Scene:
             return aim
         gone = sightings.at(clock)
         if gone and (known or gone.lost) and clock >= gone.start + HOLD:
-            self._await(request, _Turn(max(gone.end + LATENCY, clock), None))
+            self._leave(request, gone, clock)
             return AtCamera()
+        self.attended[request.key] = _Attended(clock)
         next_ = sightings.lets_go(clock)
         self._await(request, _Turn(*next_) if next_ else None)
         return aim
+
+    def _leave(self, request: GazeRequest, gone: Absence, soonest: float) -> None:
+        """Let go of a target that is gone, until it is back."""
+        self.attended[request.key] = _Attended(soonest, gone)
+        self._await(request, _Turn(max(gone.end + LATENCY, soonest), None))
 
     def _await(self, request: GazeRequest, turn: _Turn | None) -> None:
         """Come back to a request when its target is let go of, or found again."""
@@ -258,7 +315,7 @@ class _Scene:
             return
         parts = request.manner.parts if eyes and head else "eyes only" if eyes else "head only"
         if turn.leaves:
-            self._await(request, _Turn(max(turn.leaves.end + LATENCY, turn.clock + NOTICED), None))
+            self._leave(request, turn.leaves, turn.clock + NOTICED)
             wish = Wish(AtCamera(), parts, GazeManner(parts, speed=request.manner.speed))
         else:
             aim = self._attend(request, turn.clock, known=False)
@@ -294,8 +351,8 @@ class _Scene:
             self._judge("eyes", time - self.start)
         if before.head is request:
             self._judge("head", time - self.start)
-        self.eyes.pop(request.key, None)
-        self.head.pop(request.key, None)
+        for held in (self.eyes, self.head, self.begun, self.turns):
+            held.pop(request.key, None)
         after = self._owners()
         clock = time - self.start
         for wish in self._back(request, before, after, clock):
@@ -331,23 +388,3 @@ class _Scene:
                 if request.released == inf:
                     owners.clear()
                 owners[request.key] = request
-
-
-COMFORT = (28.0, 14.0, 20.0)
-"""How far a look away goes from straight ahead at most: sideways, up, down, deg."""
-
-AWAY = (12.0, 20.0)
-"""How far a look away goes from what it leaves, deg."""
-
-
-def averted(leaving: Direction, seed: int, *place: object) -> Towards:
-    """Somewhere else than `leaving`, by the seed: seven in ten to a side, two down, one up (motion.md section 8)."""
-    draw, size = chance(seed, "away", *place, "where"), between(*AWAY, seed, "away", *place, "size")
-    side, up, down = COMFORT
-    if draw < 0.7:
-        way = size if draw < 0.35 else -size
-        yaw = leaving[0] + way if abs(leaving[0] + way) <= side else leaving[0] - way
-        return Towards(min(side, max(-side, yaw)), min(up, max(-down, leaving[1])))
-    way = -size if draw < 0.9 else size
-    pitch = leaving[1] + way if -down <= leaving[1] + way <= up else leaving[1] - way
-    return Towards(min(side, max(-side, leaving[0])), min(up, max(-down, pitch)))

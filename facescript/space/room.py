@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
+from copy import copy
 from math import hypot, inf
 from typing import NamedTuple
 
@@ -20,6 +21,7 @@ from facescript.ir.values import (
 )
 from facescript.space.direction import angles, towards
 from facescript.space.layout import EYES, MOUTH, lay_out
+from facescript.space.live import LiveSightings, LiveTarget, Whereabouts
 from facescript.space.path import Path
 from facescript.space.sightings import Sightings
 
@@ -38,6 +40,9 @@ NEAREST_CM = 8.0
 FARTHEST_CM = 1e7
 """Beyond this both eyes look straight on, cm; so far a script's places lie at most."""
 
+KEPT = 4096
+"""Lines of sight to places that stay that are kept."""
+
 PEOPLE = "people"
 """The crowd of those whom the camera sees."""
 
@@ -53,18 +58,40 @@ class Sight(NamedTuple):
 
 class Room:
     """A film's faces and targets. Times are seconds of the scene's own clock. `left` is how many movements
-    may still be worked out for the plans of gaze made in it."""
+    may still be worked out for the plans of gaze made in it.
+
+    In a `live` room persons come in whom no script knows of (`targets`). They move by the film's time: `scene` is when
+    the scene starts, and of what came after `now` (s of the clock) nothing is known of them."""
 
     def __init__(self, film: Film, faces: Sequence[Face], targets: Sequence[Target]) -> None:
         self.film = film
         self.layout = lay_out(film, faces)
-        self.targets: Mapping[str, Target] = {target.name: target for target in targets}
+        self.targets: dict[str, Target] = {target.name: target for target in targets}
         self.left = inf
+        self.scene, self.now = 0.0, inf
+        self.live = any(isinstance(target, LiveTarget) for target in targets)
         self._eyes: dict[str, tuple[float, float]] = {}
         self._still: dict[tuple[str, Aim], Sight] = {}
-        self._paths: dict[str, Path] = {}
-        self._sightings: dict[tuple[str, str], Sightings] = {}
+        self._paths: dict[str, Path | Whereabouts] = {}
+        self._sightings: dict[tuple[str, str], Sightings | LiveSightings] = {}
         self._crowds: dict[str, tuple[Aim, ...]] = {}
+
+    def of(self, scene: float) -> Room:
+        """The same room for a scene that starts at `scene` s of the film."""
+        if not self.live:
+            return self
+        room = copy(self)
+        room.scene, room._paths, room._sightings = scene, {}, {}
+        return room
+
+    def turn_to(self, now: float) -> None:
+        """Know no more of those who are seen live than was known at a time."""
+        if not self.live:
+            return
+        self.now = now
+        for path in self._paths.values():
+            if isinstance(path, Whereabouts):
+                path.now = now
 
     def bind(
         self,
@@ -114,7 +141,7 @@ class Room:
     def lost(self, aim: Aim, time: float) -> bool:
         """Whether nobody knows where the target of a definite aim is at `time`."""
         target = self.moving(aim)
-        return target is not None and bool(target.lost) and self._path(target).known(time) < time
+        return target is not None and self._path(target).known(time) < time
 
     def moving(self, aim: Aim) -> MovingTarget | None:
         """The moving target that a definite aim is at, if it is one."""
@@ -147,20 +174,25 @@ class Room:
             return self._seen(face, self._path(target).at(time), in_picture=False)
         known = self._still.get((face, aim))
         if known is None:
+            if len(self._still) >= KEPT:
+                self._still.clear()
             known = self._still[face, aim] = self._sight(face, aim, time)
         return known
 
-    def sightings(self, face: str, aim: Aim) -> Sightings | None:
+    def sightings(self, face: str, aim: Aim) -> Sightings | LiveSightings | None:
         """When a face has the moving target of a definite aim in sight; None for what does not move."""
         target = self.moving(aim)
         if target is None:
             return None
         known = self._sightings.get((face, target.name))
-        if known is None:
-            path, height = self._path(target), self.layout.part(face, EYES)[1]
-            known = Sightings(path, lambda time: self._angles(face, path.at(time)), height)
-            self._sightings[face, target.name] = known
+        if known is None or known.path is not self._path(target):
+            known = self._sightings[face, target.name] = self._watched(face, self._path(target))
         return known
+
+    def _watched(self, face: str, path: Path | Whereabouts) -> Sightings | LiveSightings:
+        if isinstance(path, Whereabouts):
+            return LiveSightings(path)
+        return Sightings(path, lambda time: self._angles(face, path.at(time)), self.layout.part(face, EYES)[1])
 
     def following(self, face: str, aim: Aim) -> Callable[[float], Sight]:
         """The line of sight to a definite aim, or to where it was in sight last, as a function of time alone."""
@@ -189,11 +221,16 @@ class Room:
         scale = 1.0 if in_picture else screen_fraction(self.film.screen, z)
         return Sight(yaw * scale, pitch * scale, min(FARTHEST_CM, max(NEAREST_CM, hypot(x, y, z))))
 
-    def _path(self, target: MovingTarget) -> Path:
+    def _path(self, target: MovingTarget) -> Path | Whereabouts:
         known = self._paths.get(target.name)
-        if known is None:
-            known = self._paths[target.name] = Path(target.times, target.places, target.lost)
+        if known is None or (isinstance(target, LiveTarget) and not isinstance(known, Whereabouts)):
+            known = self._paths[target.name] = self._made(target)
         return known
+
+    def _made(self, target: MovingTarget) -> Path | Whereabouts:
+        if isinstance(target, LiveTarget):
+            return Whereabouts(target.trail, self.scene, self.now)
+        return Path(target.times, target.places, target.lost)
 
     def _in_picture(self, aim: Aim) -> bool:
         return isinstance(aim, AtFace) or isinstance(self._place(aim), PicturePlace)

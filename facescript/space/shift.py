@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from copy import copy
 from dataclasses import dataclass
 from functools import partial
 from math import hypot, inf
 
 from facescript.ir.acts import GazeManner
 from facescript.ir.play import Face
-from facescript.ir.values import Aim, AtCamera, Draw
+from facescript.ir.values import Aim, AtCamera, Draw, Towards
 from facescript.space.main_sequence import (
     head_lag,
     head_time,
@@ -93,6 +94,12 @@ class Past:
         self.moves = [first]
         self.part = part
         self.worked = 0
+
+    def fork(self) -> Past:
+        """Another that goes on from here, with the movements that it may still be asked for."""
+        other = Past(self.moves[0], self.part)
+        other.moves = self.moves[-MOST_LAID - 1 :]
+        return other
 
     def drop_pending(self, time: float) -> None:
         """Forget the movements that would begin at `time` or later: they are overtaken before they begin."""
@@ -178,6 +185,13 @@ class Shifter:
         self.eyes = Past(Move(-inf, -inf, rest), saccade_part)
         self.head = Past(Move(-inf, -inf, lambda _: ahead), lambda part, _: minimum_jerk(part))
 
+    def fork(self) -> Shifter:
+        """Another that goes on from here."""
+        other = copy(self)
+        other.eyes, other.head = self.eyes.fork(), self.head.fork()
+        other._directions = {aim: goal for aim, goal in self._directions.items() if not isinstance(aim, Towards)}
+        return other
+
     @property
     def worked(self) -> int:
         """How many movements were worked out so far."""
@@ -259,12 +273,12 @@ class Shifter:
             sight = followed(time)
             return within((sight.yaw, sight.pitch))
 
-        return _once(direction)
+        return _once(self.room, direction)
 
     def _turned(self, target: Goal, share: Direction, start: Direction, moves: bool) -> Goal:
         """Where the head turns for a target, which may move."""
         if moves:
-            return _once(partial(_head_at, target, share, start))
+            return _once(self.room, partial(_head_at, target, share, start))
         still = head_goal(target(0.0), share, start)
         return lambda _: still
 
@@ -368,15 +382,15 @@ def _head_at(target: Goal, share: Direction, start: Direction, time: float) -> D
     return head_goal(target(time), share, start)
 
 
-def _once(goal: Goal) -> Goal:
-    """The same goal, worked out once where it is asked for again and again at one time."""
-    last = (inf, (0.0, 0.0))
+def _once(room: Room, goal: Goal) -> Goal:
+    """The same goal, worked out once where it is asked for again and again at one time, by what the room knows."""
+    last = (inf, inf, (0.0, 0.0))
 
     def remembered(time: float) -> Direction:
         nonlocal last
-        if last[0] != time:
-            last = (time, goal(time))
-        return last[1]
+        if last[0] != time or last[1] != room.now:
+            last = (time, room.now, goal(time))
+        return last[2]
 
     return remembered
 

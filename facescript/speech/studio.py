@@ -14,14 +14,14 @@ from facescript.world import World
 
 class Studio:
     """A `VoiceBox` for a project: what a line names is read from `world`, all else is spoken by `voice`. The sound of
-    a long script is kept in a file."""
+    a long script is kept in a file; that of one without end is not kept."""
 
-    def __init__(self, world: World, voice: VoiceBox) -> None:
-        self._world, self._voice, self._spool = world, voice, Spool()
+    def __init__(self, world: World, voice: VoiceBox, *, endless: bool = False) -> None:
+        self._world, self._voice, self._spool = world, voice, None if endless else Spool()
 
     def speak(self, line: Say) -> Spoken:
         spoken = _stressed(self._spoken(line), line)
-        return replace(spoken, sound=self._spool.keep(spoken.pcm))
+        return spoken if self._spool is None else replace(spoken, sound=self._spool.keep(spoken.pcm))
 
     def _spoken(self, line: Say) -> Spoken:
         if line.recording is None and line.times is None:
@@ -43,6 +43,6 @@ def _stressed(spoken: Spoken, line: Say) -> Spoken:
     return replace(spoken, words=tuple(words))
 
 
-def open_studio(world: World) -> VoiceBox:
-    """The voices of all engines, and the files of a project."""
-    return Studio(world, Ensemble(world, open_voice()))
+def open_studio(world: World, *, endless: bool = False) -> VoiceBox:
+    """The voices of all engines, and the files of a project; `endless` for what goes on saying new lines."""
+    return Studio(world, Ensemble(world, open_voice()), endless=endless)

@@ -14,8 +14,8 @@ from facescript.rig.picture import Shape
 from facescript.schedule.score import Score, TimedAct
 from facescript.space.layout import lay_out
 from facescript.stage.actor import BACKDROP, Actor, moved
-from facescript.stage.ground import PAPER, Ground, Grounds, own_share
-from facescript.stage.view import Camera
+from facescript.stage.ground import PAPER, Ground, own_share
+from facescript.stage.setting import Setting
 
 Floats = NDArray[np.float64]
 
@@ -64,17 +64,14 @@ class Stage:
         self.over = over
         self.width, self.height = score.film.width, score.film.height
         self.pictures = pictures
-        self._score = score
         self._performance = performance
-        layout = lay_out(score.film, score.faces)
-        self._camera = Camera(score, layout)
+        self._layout = lay_out(score.film, score.faces)
         seen = [face for face in score.faces if face.seen]
-        self._actors = [Actor(face, layout.standings[face.name], score.film) for face in seen]
+        self._actors = [Actor(face, self._layout.standings[face.name], score.film) for face in seen]
         self._firsts = np.cumsum([0, *(actor.count for actor in self._actors)]).tolist()
+        self._setting = self.setting(score)
         self._place()
-        paints = [actor.ground for actor in self._actors if actor.ground is not None]
-        self._grounds = Grounds(score, paints[0] if paints else PAPER)
-        self.clear: TimedAct | None = self._grounds.clear
+        self.clear: TimedAct | None = self._setting.grounds.clear
 
     def frames(self, times: Floats) -> StageFrames:
         """The picture at `times` (seconds from the film's start, any order)."""
@@ -82,12 +79,14 @@ class Stage:
 
     def moments(self, times: Floats) -> Moments:
         """What is drawn at `times` (seconds from the film's start, any order)."""
-        return Moments(
-            tuple(self._performance.sample_face(actor.name, times) for actor in self._actors),
-            tuple(self._present(actor.name, times) for actor in self._actors),
-            tuple(self._grounds.at(time) for time in times.tolist()),
-            np.array([self._camera.at(time) for time in times.tolist()]).reshape(-1, 3),
-        )
+        around = self._setting.at(times)
+        poses = tuple(self._performance.sample_face(actor.name, times) for actor in self._actors)
+        return Moments(poses, around.present, around.grounds, around.views)
+
+    def setting(self, score: Score) -> Setting:
+        """What is around these faces in a score of the same film."""
+        paints = [actor.ground for actor in self._actors if actor.ground is not None]
+        return Setting(score, self._layout, paints[0] if paints else PAPER, [actor.name for actor in self._actors])
 
     def drawn(self, moments: Moments) -> StageFrames:
         """The picture of moments."""
@@ -112,24 +111,16 @@ class Stage:
         joined: list[Shape] = []
         owners: list[str] = []
         for actor, first in zip(self._actors, self._firsts, strict=False):
-            joined += moved(actor.shapes, first, f"{actor.name}-" if several else "", self._camera.moves)
+            joined += moved(actor.shapes, first, f"{actor.name}-" if several else "", self._setting.camera.moves)
             owners += [actor.name] * len(actor.shapes)
         self._order = sorted(range(len(joined)), key=lambda place: joined[place].group != BACKDROP)
         self.shapes: tuple[Shape, ...] = tuple(joined[place] for place in self._order)
         self.owners: tuple[str, ...] = tuple(owners[place] for place in self._order)
         self._backdrops = sum(shape.group == BACKDROP for shape in joined)
 
-    def _present(self, face: str, times: Floats) -> Floats:
-        """1 where a face is in the scene, else 0; a scene's end belongs to the next."""
-        scenes = self._score.scenes
-        starts = np.array([scene.start for scene in scenes])
-        with_face = np.array([float(face in scene.faces) for scene in scenes])
-        present: Floats = with_face[np.maximum(0, np.searchsorted(starts, times, side="right") - 1)]
-        return present
-
     def _looked_at(self, points: Floats, views: Floats) -> Floats:
         """Picture px to film px: the camera's affine of each moment."""
-        if not self._camera.moves:
+        if not self._setting.camera.moves:
             return points
         seen: Floats = points * views[:, None, :1] + views[:, None, 1:]
         return seen

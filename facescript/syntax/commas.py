@@ -47,7 +47,7 @@ _BEGIN = {
     "glance": _GAZE,
     "scan": _GAZE,
     "say": _VOICE,
-    "play": _VOICE,
+    "play": frozenset(("speed",)),
     "life": _KNOBS,
     "background": frozenset(("left", "top", "towards", "round")),
     "film": frozenset(("seed", "screen")),

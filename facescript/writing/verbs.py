@@ -12,6 +12,7 @@ from facescript.ir.acts import (
     Gradient,
     Life,
     Look,
+    Perform,
     Scan,
     SetBackground,
     SetLife,
@@ -62,6 +63,9 @@ class Verbs:
 
     def _of_the_scene(self, verb: Verb, labels: Labels) -> str:
         match verb:
+            case Perform(take, speed, timing):
+                rate = "" if speed == 1.0 else f", speed {amount(speed, SHARE)}"
+                return f'play "{self.context.path(take.path)}"{_timing(timing)}{rate}'
             case Drop(name, timing):
                 return f"drop {labels.local(name) or name}{_timing(timing)}"
             case Wait(duration):

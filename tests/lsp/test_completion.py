@@ -62,7 +62,7 @@ def in_scene(line: str) -> dict[str, types.CompletionItem]:
     ("line", "there", "not_there"),
     [
         ("|", "ada: bruno: wait together: repeat", "look film greet on"),
-        ("ada: |", "look show say greet bow take-turn at", "film ada: play"),
+        ("ada: |", "look show say play greet bow take-turn at", "film ada:"),
         ("ada: look |", "at left away", "camera"),
         ("ada: look at |", "camera cup crowd.nearest crowd.2 bruno bruno.mouth", "ada voice-over crowd crowd.3 smile"),
         ("ada: look left |", "up for over", "right left at"),
@@ -83,6 +83,8 @@ def in_scene(line: str) -> dict[str, types.CompletionItem]:
         ("ada: show wry(|", "lift =|", "smile"),
         ("ada: drop |", "shown wry", "hello AU12"),
         ("ada: tilt |", "left right", "up"),
+        ('ada: play "take.csv" |', "for as", "over speed"),
+        ('ada: play "take.csv", |', "speed", "for rate"),
         ("ada: greet |", "cup camera bruno left", "smile ada"),
         ("ada: greet cup, |", "warmth", "for"),
         ("wait |", "until beat", "hello.end"),
@@ -203,6 +205,8 @@ def test_files_of_the_project_are_offered(tmp_path: Path) -> None:
     workspace.put_text_document(types.TextDocumentItem((tmp_path / "a.face").as_uri(), "face", 1, text))
     found = Desk(workspace).analysis((tmp_path / "a.face").as_uri())
     (item,) = completions(found, found.source, types.Position(0, len(text)))
+    takes = completions(found, Source("a.face", 'play "'), types.Position(0, 6))
+    assert [each.label for each in takes] == ["track.csv", "trials.csv"]
     lines = Source("a.face", 'repeat trial in "trials.csv":\n    look at ')
     columns = [each.label for each in completions(found, lines, types.Position(1, 12))]
     assert "trial.who" in columns and "trial" not in columns

@@ -18,6 +18,7 @@ target walker from "track.csv"
 say "track.csv" from "take.wav" timed "take.srt" as t
 repeat trial in "track.csv":
     background "sky.png"
+play "track.csv"
 link "https://example.org/" "there"
 link "command:run" "no"
 """
@@ -39,6 +40,7 @@ def test_paths_that_lead_to_files_of_the_project_are_links(tmp_path: Path) -> No
         (4, (root / "take.wav").as_uri()),
         (5, (root / "track.csv").as_uri()),
         (6, (root / "sky.png").as_uri()),
-        (7, "https://example.org/"),
+        (7, (root / "track.csv").as_uri()),
+        (8, "https://example.org/"),
     ]
     assert found[0].range.start.character == len('use "')

@@ -17,10 +17,10 @@ from facescript.compile import Compiled, compile_source
 from facescript.plot.acts import Bar
 from facescript.preview.curves import EVERY, curves
 from facescript.preview.lanes import MOST_ROWS, rows, timeline
-from facescript.preview.messages import head_of
 from facescript.preview.places import Units
 from facescript.speech.estimate import EstimatedVoice
 from facescript.text import Source
+from facescript.web.messages import head_of
 from facescript.world import World
 
 SCRIPT = """\
@@ -94,6 +94,13 @@ def test_an_act_of_a_used_file_names_the_file(tmp_path: Path) -> None:
     (tmp_path / "moves.face").write_text("action bow:\n    nod 80%\n", "utf-8")
     (nod,) = acts(told('use "moves.face"\nbow\n', tmp_path), "somebody", "gesture")
     assert (nod["file"], nod["line"]) == ("moves.face", 2) and "from" not in nod
+
+
+def test_a_recorded_face_is_a_bar_of_what_a_face_shows(tmp_path: Path) -> None:
+    (tmp_path / "take.csv").write_text("time,lid.left\n0,0\n1,1\n", "utf-8")
+    (take,) = acts(told('play "take.csv" for 1.5s\n', tmp_path), "somebody", "face")
+    assert (take["start"], take["apex"], take["release"], take["end"]) == (0.0, 0.2, 1.5, 1.7)
+    assert take["label"] == 'play "take.csv"'
 
 
 def test_bars_say_when_they_come_and_go(tea: dict[str, Any]) -> None:

@@ -79,7 +79,6 @@ def test_the_manner_of_an_expression() -> None:
         ("look at bruno.ear", "FS235"),
         ("look at teller", "FS236"),
         ("look at greet", "FS214"),
-        ("look at people.nearest", "FS806"),
         ("glance at cup", "FS312"),
         ("follow cup", "FS222"),
         ("glanc cup", "FS204"),
@@ -109,7 +108,8 @@ def test_the_manner_of_an_expression() -> None:
         ("stop", "FS227"),
         ("greet", "FS217"),
         ("greet cup, warmht 40%", "FS308"),
-        ('play "take.csv"', "FS803"),
+        ('play "take.csv"', "FS701"),
+        ("play smile", "FS312"),
     ],
 )
 def test_faults_of_lines(line: str, code: str) -> None:
@@ -326,6 +326,8 @@ def test_reactions_and_events() -> None:
         ('nod\nevent heard "no"\n', "FS312"),
         ('nod\nwhen heard "no":\n    stop\n    nod\nevent heard "no" at 2s\n', "FS227"),
         ('nod\nwhen key "q":\n    nod\n', "FS808"),
+        ("scan people, 600ms each\n", "FS806"),
+        ("look at people.nearest\n", "FS806"),
     ],
 )
 def test_faults_of_reactions(text: str, code: str) -> None:

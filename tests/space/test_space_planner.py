@@ -16,9 +16,10 @@ from facescript.ir.values import AtCamera, AtTarget, Away, Point, Towards
 from facescript.space.haste import haste
 from facescript.space.main_sequence import head_time, peak_fraction, saccade_part, saccade_time, velocity_shape
 from facescript.space.plan import GazePlan
-from facescript.space.planner import GazeRequest, plan_gaze, scan_stops
+from facescript.space.planner import GazeRequest, plan_gaze
 from facescript.space.reach import extent, head_goal, in_head, in_room, reach, shortfall
 from facescript.space.room import Room
+from facescript.space.scans import scan_stops
 from facescript.text import Source, Span
 
 SOURCE = Source("made.face", "look at door\nlook at window, eyes only\n")

@@ -29,6 +29,7 @@ All that a script may say, made from the tables that the compiler reads. Picture
 | what can be looked at | [targets](targets.md) |
 | what a face can show | [expressions](expressions.md), [units of FACS](units.md) |
 | what that moves | [muscles](muscles.md), [channels](channels.md) |
+| what that is elsewhere | [shapes](shapes.md) of ARKit, MPEG-4 and VRM |
 | what it does unasked | [lives](lives.md) |
 | verbs of the library | [actions](actions.md) |
 | faces and how they look | [kinds of faces](kinds.md) |

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from facescript.performance.channels import MUSCLES
 from facescript.resolve.meanings import MUSCLES_DO
 from facescript.resolve.words import UNIT_NAME
+from facescript.shapes.rows import rows, terms
 from website.library import defined, moves
 from website.page import Page, anchor, heading, portrait, row, sentence
 
@@ -31,7 +32,9 @@ def _entry(muscle: str) -> str:
     shown = (
         f"{portrait(f'show {muscle}{side}', f'A woman: {muscle}, {told}.')}\n`{muscle}{side}`" for side, told in sides
     )
-    return "\n".join([heading(muscle), f"{sentence(MUSCLES_DO[muscle])} {_units(muscle)}\n", row(shown)])
+    return "\n".join(
+        [heading(muscle), f"{sentence(MUSCLES_DO[muscle])} {_units(muscle)} {_shapes(muscle)}\n", row(shown)]
+    )
 
 
 def _units(muscle: str) -> str:
@@ -43,3 +46,11 @@ def _units(muscle: str) -> str:
     ]
     links = ", ".join(f"[{name}](units.md#{anchor(name)})" for _, name in sorted(found, key=lambda each: each[0]))
     return f"Units of FACS: {links}." if links else "No unit of FACS uses it."
+
+
+def _shapes(muscle: str) -> str:
+    """What ARKit and MPEG-4 call what it does: of its left side."""
+    arkit = ", ".join(f"`{row['name']}`" for row in rows("arkit") if f"{muscle}.left" in terms(row["made of"]))
+    moved = [row for row in rows("fap") if f"{muscle}.left" in terms(row["made of"])]
+    fap = ", ".join(f"{row['number']} `{row['name']}`" for row in moved)
+    return f"By its left side go [the shapes](shapes.md) {arkit} of ARKit and the parameters {fap} of MPEG-4."

@@ -23,7 +23,7 @@ READ = {
     "blink": "language.md#8-gestures",
     "wink": "language.md#8-gestures",
     "say": "language.md#10-speech-and-texts",
-    "play": "language.md#17-what-this-version-refuses",
+    "play": "language.md#recorded-faces",
     "wait": "language.md#4-time",
     "background": "language.md#13-film-faces-scenes-background-view",
     "view": "language.md#13-film-faces-scenes-background-view",

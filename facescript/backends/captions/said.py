@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from facescript.schedule.score import Score, TimedLine
 from facescript.speech.lines import is_unspaced, words
-from facescript.speech.model import WordTime
+from facescript.speech.model import Spoken, WordTime
 from facescript.speech.timing.spreading import spread
 
 OPENERS = "([{‘“«‹「『（《〈【¿¡\"'"
@@ -66,14 +66,17 @@ def said(score: Score, start: float, end: float) -> list[Said]:
 
 
 def heard(line: TimedLine) -> list[WordTime]:
-    """The words of a line in seconds of the film; by their lengths where its sound has no words."""
-    spoken = line.spoken.words or _spread(line.text, line.spoken.duration)
+    """The words of a line in seconds of the film."""
+    spoken = timed(line.text, line.spoken)
     return [replace(word, start=line.start + word.start, end=min(line.start + word.end, line.end)) for word in spoken]
 
 
-def _spread(text: str, duration: float) -> list[WordTime]:
+def timed(text: str, spoken: Spoken) -> Sequence[WordTime]:
+    """The words of a line in seconds from its start; by their lengths where its sound has no words."""
+    if spoken.words:
+        return spoken.words
     found = words(text)
-    times = spread(text, found, 0.0, duration)
+    times = spread(text, found, 0.0, spoken.duration)
     return [
         WordTime(text[place.first : place.last], place.first, place.last, *at)
         for place, at in zip(found, times, strict=True)

@@ -5,7 +5,8 @@ const UPRIGHT = 0.05;  // radians: a gradient tilted by less is drawn upright
 const SHARPEST = 1920;  // pixels across
 
 // `film` is what figure.py makes, its faces with the rows `x`, `y` and `moves`; `place` the element that takes the
-// canvases; `redraw` is called when a picture has come that lies behind.
+// canvases; `redraw` is called when a picture has come that lies behind. What is painted is `points` (all x, then all y),
+// `opacity`, `turns` and `view`, which `take` sets from rows, and others may set by themselves.
 function drawing(film, place, redraw) {
   let count = 0;
   for (const { contours } of film.shapes) for (const [first, more] of contours) count = Math.max(count, first + more);
@@ -209,5 +210,5 @@ function drawing(film, place, redraw) {
     for (const { canvas } of [ground, figures]) canvas.remove();
   }
 
-  return { take, paint, fitted, remove, get ready() { return size > 0; } };
+  return { take, paint, fitted, remove, points, opacity, turns, view, get ready() { return size > 0; } };
 }

@@ -99,17 +99,6 @@ COMMAND: tuple[Entry, ...] = (
         command=("new", "script"),
     ),
     Entry(
-        "FS909",
-        "later-command",
-        Severity.ERROR,
-        "`facescript {command}` is part of the language's design and not in this version.",
-        HELLO,
-        HELLO,
-        "All others run; these are named so that one may plan.",
-        stage="command",
-        command=("live", "script.face"),
-    ),
-    Entry(
         "FS911",
         "nothing-to-play",
         Severity.ERROR,

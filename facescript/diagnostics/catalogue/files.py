@@ -101,4 +101,32 @@ FILES: tuple[Entry, ...] = (
         "save it anew as one of these.",
         files={"notes.png": "Buy a picture of the sea.\n"},
     ),
+    Entry(
+        "FS730",
+        "take",
+        Severity.ERROR,
+        "“{path}” cannot be played: {reason}.",
+        'play "notes.csv"\n',
+        'play "take.csv"\n',
+        "A recorded face is a CSV of Live Link Face (`Timecode`, and shapes of ARKit by name), a `.fap` file of "
+        "MPEG-4, or a CSV with `time` in seconds and channels by name, as `build` writes them. It has 36,000 rows and "
+        "lasts an hour at most.",
+        files={
+            "notes.csv": "frame,smile\n0,0.5\n",
+            "take.csv": "time,cheek.lower.left,cheek.lower.right\n0,0,0\n0.5,0.6,0.4\n1,0.2,0.1\n",
+        },
+    ),
+    Entry(
+        "FS731",
+        "take-lost",
+        Severity.WARNING,
+        "In {lost} of the {rows} rows of “{path}” no face was seen; what is before and after is joined.",
+        'play "gaps.csv"\n',
+        'play "whole.csv"\n',
+        "Live Link Face writes a row without shapes where the phone has lost the face.",
+        files={
+            "gaps.csv": "Timecode,BlendshapeCount,JawOpen\n0:00:00:01.0,1,0.1\n0:00:00:02.0,0,\n0:00:00:03.0,1,0.4\n",
+            "whole.csv": "Timecode,BlendshapeCount,JawOpen\n0:00:00:01.0,1,0.1\n0:00:00:02.0,1,0.2\n",
+        },
+    ),
 )

@@ -196,7 +196,7 @@ def _drop(here: Here, words: Words) -> Iterator[Offer]:
 
 def _lays(act: tree.Act) -> bool:
     verb = act.phrases[0].words[0]
-    return isinstance(verb, tree.Name) and verb.text in ("show", "add")
+    return isinstance(verb, tree.Name) and verb.text in ("show", "add", "play")
 
 
 def _shown(items: Iterable[object]) -> Iterator[str]:
@@ -225,6 +225,13 @@ def _say(here: Here, words: Words) -> Iterator[Offer]:
         yield from here.bound()
     else:
         yield WHOLE
+
+
+def _play(here: Here, words: Words) -> Iterator[Offer]:
+    if words:
+        yield WHOLE
+    else:
+        yield from here.bound()
 
 
 def _wait(here: Here, words: Words) -> Iterator[Offer]:
@@ -288,6 +295,7 @@ _HEADS: Mapping[str, Callable[[Here, Words], Iterator[Offer]]] = {
     "tilt": _sided,
     "wink": _sided,
     "say": _say,
+    "play": _play,
     "wait": _wait,
     "background": _background,
     "view": _view,

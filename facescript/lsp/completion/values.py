@@ -23,6 +23,7 @@ SUFFIXES = {
     "ssml": (".ssml", ".xml"),
     "from": (".wav", ".mp3", ".flac", ".ogg", ".opus", ".m4a"),
     "timed": (".textgrid", ".json", ".vtt", ".srt", ".csv", ".tsv"),
+    "play": (".csv", ".fap"),
     "background": (".png", ".jpg", ".jpeg", ".webp", ".gif", ".bmp"),
     "picture": (".png", ".jpg", ".jpeg", ".webp", ".gif"),
 }

@@ -17,7 +17,7 @@ from facescript.syntax import tree
 from facescript.text import Span
 from facescript.world import WorldFailure
 
-BEFORE_FILES = frozenset(("from", "timed", "ssml", "text", "background", "picture", "in", "piper"))
+BEFORE_FILES = frozenset(("from", "timed", "ssml", "text", "background", "picture", "play", "in", "piper"))
 """Words behind which a text in quotes names a file."""
 
 ADDRESSES = ("https://", "http://", "mailto:")

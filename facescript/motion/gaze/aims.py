@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
 
@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 from facescript.ir.play import Face
 from facescript.ir.values import AtCamera
 from facescript.motion.gaze.curves import still
-from facescript.motion.gaze.pursuit import AFTER, Following, Spell, follow
+from facescript.motion.gaze.live import LiveFollowing, followed
+from facescript.motion.gaze.pursuit import AFTER, STEP, Following, Spell, follow
+from facescript.space.live import LiveTarget
 from facescript.space.plan import GazePlan
 from facescript.space.reach import head_goal, within
 from facescript.space.room import Room, Sight
@@ -60,16 +62,26 @@ class Bound:
         return self._following.nearness(times)
 
     @cached_property
-    def _following(self) -> Following:
+    def _following(self) -> Following | LiveFollowing:
         moving = self.room.moving(self.plan.aim)
-        start = self.plan.starts
+        plan, until, start = self.plan, self.until, self.plan.starts
+        spell = Spell(start, plan.eye_onset, plan.eye_done, plan.head_done, until.eyes, until.head)
+        if isinstance(moving, LiveTarget):
+            return self._followed_live(moving, spell)
         if moving and start < (last := self.scene + moving.times[-1] + AFTER):
-            plan, until = self.plan, self.until
-            spell = Spell(start, plan.eye_onset, plan.eye_done, plan.head_done, until.eyes, until.head)
             return follow(self.sight, self._head_goal, spell, min(last, until.gone))
         sight = self.sight(start)
         place = sight.yaw, sight.pitch
         return Following(still(place), [], still(self._head_goal(place)), still([1.0 / sight.distance]))
+
+    def _followed_live(self, target: LiveTarget, spell: Spell) -> LiveFollowing:
+        """What was worked out for the same shift, by a performance that knew less, counts on. The head is taken
+        elsewhere a step later: the course through its steps turns a step before the first that differs."""
+        plan, trail = self.plan, target.trail
+        spell = replace(spell, head_until=spell.head_until + STEP)
+        head = plan.parts, plan.head_onset, plan.head_share, plan.head_from
+        key = (self.face.name, self.scene, *head, spell.start, spell.leave, spell.landed, spell.turned)
+        return followed(target, key, spell, lambda: LiveFollowing(trail, self.sight, self._head_goal, spell))
 
     def _head_goal(self, direction: tuple[float, float]) -> tuple[float, float]:
         return head_goal(direction, self.plan.head_share, self.plan.head_from)

@@ -9,8 +9,8 @@ S7).
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
-from math import hypot
+from dataclasses import dataclass, field, replace
+from math import hypot, inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,11 +92,12 @@ class Following:
         for onset, done, way in self.saccades:
             first = np.searchsorted(times, onset)
             values[first:] += saccade_curve(times[first:], onset, done)[:, None] * np.array(way)
-        values[:, 1] = _below_the_top(values[:, 1])
+        values[:, 1] = below_the_top(values[:, 1])
         return values
 
 
-def _below_the_top(pitch: Floats) -> Floats:
+def below_the_top(pitch: Floats) -> Floats:
+    """Pitches (deg) kept from turning the line of sight over the top."""
     room = OVERHEAD - UPRIGHT
     beyond = np.maximum(np.abs(pitch) - UPRIGHT, 0.0)
     kept: Floats = pitch - np.sign(pitch) * (beyond - room * np.tanh(beyond / room))
@@ -104,7 +105,7 @@ def _below_the_top(pitch: Floats) -> Floats:
 
 
 @dataclass(slots=True)
-class _Eyes:
+class Eyes:
     """The state of the eyes at one step: smooth position and velocity, since when a saccade may be made (`ready`) and
     the error has been too large (`amiss`), from when on none is begun (`until`), the saccades made and their sum."""
 
@@ -148,30 +149,144 @@ def follow(
     The eyes are on the target when they leave for it, and make no other saccade before they have landed nor once they
     are taken elsewhere. The head turns to where the target is at the start, and follows from then on.
     """
-    start = spell.start
-    count = max(2, int((end - start) / STEP) + 2)
-    seen = _seen(sight, start, count)
-    foreseen = _foreseen(seen[:, :2], count)
-    first = min(count - 1, max(0, int((spell.leave - start) / STEP)))
-    eyes = _Eyes(_pair(seen[BEFORE + first]), _pair(foreseen[first, 2:]), spell.landed, spell.landed, spell.eyes_until)
-    places, looks = _pursued(eyes, foreseen, start, first)
-    heads = _turned(head_goal, _pair(seen[BEFORE]), looks, spell)
-    nearness = 1.0 / seen[BEFORE - VERGENCE_STEPS : len(seen) - VERGENCE_STEPS, 2]
-    return Following(
-        through(start, STEP, places),
-        eyes.saccades,
-        through(start, STEP, heads),
-        through(start, STEP, _converging(nearness)),
-    )
+    count = max(2, int((end - spell.start) / STEP) + 2)
+    pursuit = Pursuit(sight, head_goal, spell, count - 1)
+    rows = pursuit.run(0, count)
+    place, head, nearness = (through(spell.start, STEP, rows[:, part]) for part in (PLACE, HEAD, NEARNESS))
+    return Following(place, pursuit.eyes.saccades if pursuit.eyes else [], head, nearness)
+
+
+PLACE, HEAD, NEARNESS, WIDTH = slice(0, 2), slice(2, 4), slice(4, 5), 5
+"""What is in a row of a pursuit: the smooth place of the eyes (saccades aside), the head, and the nearness."""
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """How far eyes, head and vergence have come at a step."""
+
+    eyes: Eyes | None
+    look: Pair
+    head: tuple[Pair, Pair] | None
+    near: Pair | None
+
+
+class Pursuit:
+    """Works out how `sight` is followed, step after step. The eyes leave at the step `first`, at the `last` there is.
+
+    A step looks at the target as it was 130 ms and more before, but for the first ones of eyes and head.
+    """
+
+    def __init__(
+        self,
+        sight: Callable[[float], Sight],
+        head_goal: Callable[[Direction], Direction],
+        spell: Spell,
+        last: float = inf,
+    ) -> None:
+        self.sight, self.head_goal, self.spell = sight, head_goal, spell
+        self.first = int(min(last, max(0, int((spell.leave - spell.start) / STEP))))
+        self.eyes: Eyes | None = None
+        self.look: Pair = (0.0, 0.0)
+        self.head: tuple[Pair, Pair] | None = None
+        self.near: Pair | None = None
+
+    def state(self) -> State:
+        eyes = replace(self.eyes, saccades=self.eyes.saccades[:]) if self.eyes else None
+        return State(eyes, self.look, self.head, self.near)
+
+    def taken(self, spell: Spell) -> None:
+        """Eyes and head are taken elsewhere at other times from the next step on."""
+        self.spell = spell
+        if self.eyes is not None:
+            self.eyes.until = spell.eyes_until
+
+    def turn_to(self, state: State) -> None:
+        """Be as at a step before."""
+        self.eyes = replace(state.eyes, saccades=state.eyes.saccades[:]) if state.eyes else None
+        self.look, self.head, self.near = state.look, state.head, state.near
+
+    def run(self, step: int, count: int) -> Floats:
+        """The rows of `count` steps from `step` on, which is the one that comes next: array[count, WIDTH]."""
+        seen = self._seen(step, count)
+        foreseen = _foreseen(seen[:, :2], count)
+        rows = np.empty((count, WIDTH))
+        looks = self._pursued(foreseen, step, rows[:, PLACE])
+        self._turned(looks, step, rows[:, HEAD])
+        self._converging(1.0 / seen[BEFORE - VERGENCE_STEPS :, 2], rows[:, NEARNESS])
+        return rows
+
+    def _seen(self, step: int, count: int) -> Floats:
+        """The line of sight to the target on the grid from `BEFORE` steps before `step` on, as far as it is seen in
+        time for `count` steps: array[BEFORE - PURSUIT_STEPS + count, 3]."""
+        start, last = self.spell.start, step + count - PURSUIT_STEPS
+        return np.array([self.sight(start + number * STEP) for number in range(step - BEFORE, last)])
+
+    def _at(self, step: int) -> Pair:
+        """Where the target is at a step."""
+        sight = self.sight(self.spell.start + step * STEP)
+        return sight.yaw, sight.pitch
+
+    def _pursued(self, foreseen: Floats, step: int, places: Floats) -> list[Pair]:
+        """The smooth place of the eyes at each step, and where they look a step later.
+
+        They expect the target where it is `foreseen` (place and velocity a step), and follow it from the step `first`
+        on; before, they are where it is then.
+        """
+        begun = max(0, self.first - step)
+        if self.eyes is None:
+            away = begun >= len(places)
+            self.look = self._at(0 if away else self.first)
+            if not away:
+                speed = _pair(foreseen[begun, 2:])
+                spell = self.spell
+                self.eyes = Eyes(self.look, speed, spell.landed, spell.landed, spell.eyes_until)
+        looks = [self.look] * min(begun, len(places))
+        places[:begun] = self.look
+        if self.eyes is not None:
+            looks += self._stepped(self.eyes, foreseen, step, begun, places)
+        return looks
+
+    def _stepped(self, eyes: Eyes, foreseen: Floats, step: int, begun: int, places: Floats) -> list[Pair]:
+        """The steps of the eyes on their way, from the `begun`th row on."""
+        look, looks = self.look, []
+        for row, (x, y, u, v) in enumerate(foreseen[begun:].tolist(), begun):
+            time = self.spell.start + (step + row) * STEP
+            places[row] = eyes.place
+            _advance(eyes, (x - look[0], y - look[1]), (u, v), time)
+            look = eyes.look(time + STEP)
+            looks.append(look)
+        self.look = look
+        return looks
+
+    def _turned(self, looks: list[Pair], step: int, heads: Floats) -> None:
+        """The head at each step: turned for where the target is at the start, it goes with where the eyes look from
+        when it is there until it is taken elsewhere, and stops."""
+        (x, y), (u, v) = self.head or (self.head_goal(self._at(0)), (0.0, 0.0))
+        spell, pull, drag = self.spell, HEAD_RATE * HEAD_RATE, 2 * HEAD_RATE
+        for row, look in enumerate(looks):
+            heads[row] = x, y
+            if spell.turned <= spell.start + (step + row) * STEP < spell.head_until:
+                goal = self.head_goal(look)
+            else:
+                goal = x + u / HEAD_RATE, y + v / HEAD_RATE
+            u += STEP * (pull * (goal[0] - x) - drag * u)
+            v += STEP * (pull * (goal[1] - y) - drag * v)
+            u, v = _at_most(u, v, HEAD_CEILING)
+            x, y = x + STEP * u, y + STEP * v
+        self.head = (x, y), (u, v)
+
+    def _converging(self, nearness: Floats, converged: Floats) -> None:
+        """The nearness at which the eyes converge, which comes after the target's."""
+        near, pace = self.near or (float(nearness[0]), 0.0)
+        for row, goal in enumerate(nearness[: len(converged)].tolist()):
+            converged[row] = near
+            pace += STEP * VERGENCE_RATE * (VERGENCE_RATE * (goal - near) - 2 * pace)
+            near += STEP * pace
+        self.near = near, pace
 
 
 def _pair(row: Floats) -> Pair:
     return float(row[0]), float(row[1])
-
-
-def _seen(sight: Callable[[float], Sight], start: float, count: int) -> Floats:
-    """The line of sight to the target on the grid from `BEFORE` steps before `start` on: array[BEFORE + count, 3]."""
-    return np.array([sight(start + step * STEP) for step in range(-BEFORE, count)])
 
 
 def _foreseen(place: Floats, count: int) -> Floats:
@@ -187,34 +302,7 @@ def _foreseen(place: Floats, count: int) -> Floats:
     return np.concatenate([place + t * speed + t * t / 2 * ahead, speed + t * ahead], axis=1)
 
 
-def _converging(nearness: Floats) -> Floats:
-    """The nearness at which the eyes converge on the grid, which comes after the target's: array[n, 1]."""
-    converged = np.empty((len(nearness), 1))
-    near, pace = float(nearness[0]), 0.0
-    for step, goal in enumerate(nearness.tolist()):
-        converged[step] = near
-        pace += STEP * VERGENCE_RATE * (VERGENCE_RATE * (goal - near) - 2 * pace)
-        near += STEP * pace
-    return converged
-
-
-def _pursued(eyes: _Eyes, foreseen: Floats, start: float, first: int) -> tuple[Floats, list[Pair]]:
-    """The smooth place of the eyes at each step, array[n, 2], and where they look a step later.
-
-    They expect the target where it is `foreseen` (place and velocity a step), and follow it from the step `first` on.
-    """
-    look = eyes.place
-    places, looks = [look] * first, [look] * first
-    for step, (x, y, u, v) in enumerate(foreseen[first:].tolist(), first):
-        time = start + step * STEP
-        places.append(eyes.place)
-        _advance(eyes, (x - look[0], y - look[1]), (u, v), time)
-        look = eyes.look(time + STEP)
-        looks.append(look)
-    return np.array(places), looks
-
-
-def _advance(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
+def _advance(eyes: Eyes, error: Pair, speed: Pair, time: float) -> None:
     """One step of the eyes, which miss the target by `error` and expect it to have a speed: a catch-up saccade where
     one is due, and smooth pursuit."""
     fast = hypot(*speed)
@@ -229,31 +317,13 @@ def _advance(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
     eyes.place = x + half * (u + eyes.speed[0]), y + half * (v + eyes.speed[1])
 
 
-def _catch_up(eyes: _Eyes, error: Pair, speed: Pair, time: float) -> None:
+def _catch_up(eyes: Eyes, error: Pair, speed: Pair, time: float) -> None:
     """A saccade to where the target will be when it lands."""
     lasts = max(saccade_time(hypot(*error)), PEAK_OVER_MEAN * hypot(*error) / CATCHING)
     way = error[0] + lasts * (speed[0] - eyes.speed[0]), error[1] + lasts * (speed[1] - eyes.speed[1])
     eyes.saccades.append((time, time + lasts, way))
     eyes.jumped = eyes.jumped[0] + way[0], eyes.jumped[1] + way[1]
     eyes.ready = time + lasts + REST
-
-
-def _turned(head_goal: Callable[[Direction], Direction], at: Pair, looks: list[Pair], spell: Spell) -> Floats:
-    """The head at each step, array[n, 2]: turned for a target that is `at` a place, it goes with where the eyes look
-    from when it is there until it is taken elsewhere, and stops."""
-    (x, y), (u, v) = head_goal(at), (0.0, 0.0)
-    heads, pull, drag = np.empty((len(looks), 2)), HEAD_RATE * HEAD_RATE, 2 * HEAD_RATE
-    for step, look in enumerate(looks):
-        heads[step] = x, y
-        if spell.turned <= spell.start + step * STEP < spell.head_until:
-            goal = head_goal(look)
-        else:
-            goal = x + u / HEAD_RATE, y + v / HEAD_RATE
-        u += STEP * (pull * (goal[0] - x) - drag * u)
-        v += STEP * (pull * (goal[1] - y) - drag * v)
-        u, v = _at_most(u, v, HEAD_CEILING)
-        x, y = x + STEP * u, y + STEP * v
-    return heads
 
 
 def _at_most(x: float, y: float, limit: float) -> Pair:

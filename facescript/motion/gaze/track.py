@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from itertools import pairwise, zip_longest
 from math import inf
 
@@ -33,16 +33,21 @@ BEFORE = 0.002
 class GazeTrack:
     """One face's gaze as a function of time; no state, any times in any order."""
 
-    def __init__(self, score: Score, face: Face) -> None:
-        room = Room(score.film, score.faces, score.targets)
+    def __init__(self, score: Score, face: Face, before: GazeTrack | None = None) -> None:
+        """What was worked out for the same room `before`, of shifts that stay as they are, is not worked out again."""
+        self._stage = score.film, score.faces, score.targets
+        same = before is not None and before._stage == self._stage and not before.room.live
+        self.room: Room = before.room if before is not None and same else Room(*self._stage)
+        known = {one.start: one.bounds for one in before.scenes} if before is not None and same else {}
         acts = [act for act in score.acts if act.face == face.name and act.plan]
         self.starts = np.array([scene.start for scene in score.scenes] or [0.0])
-        self.scenes = []
+        self.scenes: list[SceneGaze] = []
         for number, start in enumerate(self.starts):
             planned = [(plan.starts, act.order, plan) for act in acts if act.scene == number for plan in act.plan]
             plans = [plan for _, _, plan in sorted(planned, key=lambda each: each[:2])]
             end = score.scenes[number].end + AFTERWARDS if score.scenes else inf
-            self.scenes.append(SceneGaze(room, face, float(start), end, plans))
+            there = self.room.of(float(start))
+            self.scenes.append(SceneGaze(there, face, float(start), end, plans, known.get(float(start), {})))
 
     def sight(self, times: Floats) -> Floats:
         """array[n, 3]: yaw and pitch (deg) of the line of sight as drawn, and the distance (cm) of convergence."""
@@ -76,14 +81,22 @@ class GazeTrack:
 class SceneGaze:
     """One scene of one face: its shifts laid over one another, for the line of sight, its nearness and the head.
 
-    `looks` and `turns` are the plans of the movements of `eyes` and of `head`, one each.
+    `looks` and `turns` are the plans of the movements of `eyes` and of `head`, one each; `bounds` is what they are
+    bound for.
     """
 
-    def __init__(self, room: Room, face: Face, start: float, end: float, plans: list[GazePlan]) -> None:
+    def __init__(
+        self, room: Room, face: Face, start: float, end: float, plans: list[GazePlan], known: Mapping[GazePlan, Bound]
+    ) -> None:
+        """Of the bounds that are `known` those are taken whose shift has eyes and head as long as it had."""
         eyes = in_effect((plan for plan in plans if plan.uses_eyes), lambda plan: plan.eye_onset)
         head = in_effect((plan for plan in plans if plan.uses_head), lambda plan: plan.head_onset)
         untils = _untils(eyes, head, end)
-        bounds = {id(plan): Bound(room, face, start, plan, untils[id(plan)]) for plan in (*eyes, *head)}
+        bounds: dict[int, Bound] = {}
+        for plan in (*eyes, *head):
+            until, bound = untils[id(plan)], known.get(plan)
+            bounds[id(plan)] = bound if bound and bound.until == until else Bound(room, face, start, plan, until)
+        self.start, self.bounds = start, {bound.plan: bound for bound in bounds.values()}
         self.looks, self.turns = eyes, head
         first = rest(room, face, start)
         targets = [first, *(bounds[id(plan)] for plan in eyes)]

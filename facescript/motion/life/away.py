@@ -18,6 +18,7 @@ from math import cos, exp, hypot, inf, log, pi, sin
 
 from facescript.motion.dice import Dice
 from facescript.motion.life.fixations import TARGET, Fixation, Offset, fixation
+from facescript.motion.life.memory import Memory
 from facescript.motion.life.model import Living
 from facescript.motion.life.occasions import Turn
 from facescript.motion.life.renewal import Span, log_normal_wait, renewals
@@ -94,11 +95,11 @@ def looks_away(life: Living, reach: float) -> Iterator[Away]:
     thoughts = tuple(_thoughts(life, turns, reach, Stretches(busy)))
     busy += [(item.start - SETTLING, item.end) for item in thoughts]
     silent = Stretches([*busy, *((turn.start - SETTLING, turn.end) for turn in turns)])
-    found = [*thoughts, *_idle(life.dice, LISTENING, life.start, life.end, silent, reach)]
+    found = [*thoughts, *_idle(life.dice, LISTENING, life.start, life.end, silent, reach, life.memory)]
     held = Stretches([*busy, *((turn.end - _back(life, turn), turn.end + SETTLING) for turn in turns)])
     for turn in turns:
         start, end, manner = max(turn.start, life.start), min(turn.end, life.end), _talking(life, turn)
-        found += _idle(life.dice.at(*turn.place), manner, start, end, held, reach)
+        found += _idle(life.dice.at(*turn.place), manner, start, end, held, reach, life.memory)
     yield from sorted(found, key=lambda item: item.start)
 
 
@@ -129,7 +130,9 @@ def _thoughts(life: Living, turns: Sequence[Turn], reach: float, busy: Stretches
         clear = turn.end + SETTLING / 2.0
 
 
-def _idle(dice: Dice, manner: Manner, start: float, end: float, closed: Stretches, reach: float) -> Iterator[Away]:
+def _idle(
+    dice: Dice, manner: Manner, start: float, end: float, closed: Stretches, reach: float, memory: Memory | None
+) -> Iterator[Away]:
     """Looks away now and then from `start` to `end`, none of them `closed`."""
     reach = min(reach, manner.furthest)
     wait = log_normal_wait(*manner.on)
@@ -137,7 +140,7 @@ def _idle(dice: Dice, manner: Manner, start: float, end: float, closed: Stretche
     def lasting(number: int) -> float:
         return max(SETTLING, sum(_stays(dice, "avert", number, manner)))
 
-    for item in renewals(dice, "avert", wait, Span(start, end), lasting, closed, SETTLING):
+    for item in renewals(dice, "avert", wait, Span(start, end), lasting, closed, SETTLING, memory):
         first = _saccade(dice, f"avert {item.index}", 0, min(LEAVING, 0.6 * reach), reach)
         yield _away(dice, "avert", item.index, manner, (item.start, item.end), first, reach, IDLE_HEAD)
 

@@ -63,16 +63,26 @@ def _spontaneous(life: Living, rate: float, evoked: Stretches) -> Iterator[Event
     mean = max(60.0 / rate - LENGTH, LENGTH)
     wait = gamma_wait(mean / 2.0) if life.announcing else log_normal_wait(mean, VARIATION)
     span = Span(life.start, life.end, mean * life.dice.chance("blink", 0, "waited"))
-    return renewals(life.dice, "blink", wait, span, lambda number: _length(life.dice, "blink", number), evoked, CLEAR)
+    return renewals(
+        life.dice, "blink", wait, span, lambda number: _length(life.dice, "blink", number), evoked, CLEAR, life.memory
+    )
 
 
 def _evoked(life: Living) -> Iterator[tuple[Shift, Event]]:
     """Blinks that set off with eyes or head, whichever is first (bar H11)."""
-    clear, found = life.start, 0
-    for shift in life.occasions.shifts(life.start, life.end):
+    clear, found, memory = life.start, 0, life.memory
+    known = memory.state(life.dice, "gaze blink") if memory else None
+    if known is not None:
+        shift, event = known
+        yield shift, Event(found, event.start, event.end)
+        clear, found = shift.start + LONGEST, found + 1
+    for shift in life.occasions.shifts(life.since, life.end):
         dice = life.dice.at(*shift.place)
         if shift.start >= clear and dice.chance("gaze blink", 0, "happens") < evoked_chance(shift.amplitude):
-            yield shift, Event(found, shift.start, shift.start + _length(dice, "gaze blink", 0))
+            event = Event(found, shift.start, shift.start + _length(dice, "gaze blink", 0))
+            if memory is not None:
+                memory.note(life.dice, "gaze blink", shift.start, (shift, event))
+            yield shift, event
             clear, found = shift.start + LONGEST, found + 1
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from facescript.motion.dice import Event, Waits, events
-from facescript.motion.life.model import Accented, Living, Moved, accents, moved, pulses, said
+from facescript.motion.dice import Event, Waits
+from facescript.motion.life.model import Accented, Living, Moved, accents, going_on, moved, pulses, remember, said
 from facescript.motion.life.occasions import speech
 from facescript.motion.life.stretches import Stretches
 from facescript.performance.easing import through
@@ -66,6 +66,7 @@ def _of_talk(life: Living, rate: float) -> Iterator[Raise]:
     spoken: list[Raise] = []
     closed: list[tuple[float, float]] = []
     for name, line in said(life):
+        remember(life, "brows", name, spoken)
         heard = accents(life, name, line)
         stretches = tuple(speech(line)) if heard else ()
         closed += stretches
@@ -94,7 +95,7 @@ def _wait(life: Living, rate: float, apart: float = 0.0) -> float:
 
 def _by_chance(life: Living, gap: Waits) -> Iterator[Raise]:
     dice, lengths = life.dice, life.station.brow_lengths
-    for event in events(life.start, life.end, gap, lambda k: dice.between(*lengths, "brows", k, "length")):
+    for event in going_on(life, "brows", gap, lambda k: dice.between(*lengths, "brows", k, "length")):
         height = dice.between(FAINTEST, STRONGEST, "brows", event.index, "height")
         yield Raise(event.start, event.end, height, 0.0)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from facescript.motion.dice import Event, events
-from facescript.motion.life.model import Living, Moved, moved, pulses
+from facescript.motion.dice import Event
+from facescript.motion.life.model import Living, Moved, going_on, moved, pulses
 from facescript.performance.channels import SIDES
 from facescript.performance.easing import through
 
@@ -33,9 +33,9 @@ def ears(life: Living) -> Iterable[Moved]:
     mean = max(60.0 / rate - (SHORTEST + LONGEST) / 2.0, LONGEST)
     dice = life.dice
     found = tuple(
-        events(
-            life.start,
-            life.end,
+        going_on(
+            life,
+            "ears",
             lambda number: dice.log_normal(mean, VARIATION, "ears", number, "gap"),
             lambda number: dice.between(SHORTEST, LONGEST, "ears", number, "length"),
         )

@@ -37,7 +37,7 @@ def eyes(life: Living) -> Iterable[Moved]:
         fixations = tuple(reading(life, reach, busy))
         free = tuple(busy.between(life.start, life.end))
         closed += free
-        resumed = [start for start, _ in free]
+        resumed = list(_resumed(life, (start for start, _ in free)))
     elif reach > 0.0:
         away = tuple(looks_away(life, reach))
         fixations = tuple(item for look in away for item in look.fixations)
@@ -46,6 +46,20 @@ def eyes(life: Living) -> Iterable[Moved]:
     yield from _sight(fixations)
     yield from _sight(tuple(_ended(microsaccades(life, Stretches(closed)), resumed)))
     yield from _along(away)
+
+
+def _resumed(life: Living, starts: Iterable[float]) -> Iterator[float]:
+    """When reading goes on; in a run also the last time before what is asked for."""
+    memory = life.memory
+    known = memory.state(life.dice, "reading") if memory else None
+    if known is not None:
+        yield known
+    for start in starts:
+        if start < life.since:
+            continue
+        if memory is not None:
+            memory.note(life.dice, "reading", start, start)
+        yield start
 
 
 def _ended(found: Iterable[Fixation], moments: Sequence[float]) -> Iterator[Fixation]:

@@ -7,8 +7,8 @@ from math import ceil
 
 import numpy as np
 
-from facescript.motion.dice import Event, events
-from facescript.motion.life.model import Living, Moved, moved, steps
+from facescript.motion.dice import Event
+from facescript.motion.life.model import Living, Moved, going_on, moved, steps
 from facescript.motion.life.stations import Interval
 from facescript.performance.curves import Steps, Wander
 
@@ -57,39 +57,51 @@ def _nods(life: Living) -> Iterator[tuple[float, tuple[Interval, Interval]]]:
     A pause has none where the longest nod there is would not find room after the lift before: a rule that knew this
     nod's own length would make long ones rarer than the statistics have them.
     """
-    station, clear = life.station, life.start
+    station, clear, memory = life.station, life.start, life.memory
     room = station.nod_ahead[1] + station.nod_lengths[1]
-    for pause in life.occasions.pauses(life.start + room, life.end):
+    known = memory.state(life.dice, "nods") if memory else None
+    if known is not None:
+        clear = known[0]
+        yield known[1]
+    for pause in life.occasions.pauses(max(life.start + room, life.since), life.end):
         if pause.start - room < clear:
             continue
         dice = life.dice.at(*pause.place)
         nodded = pause.start - dice.between(*station.nod_ahead, "nod", 0, "ahead")
         begun = nodded - dice.between(*station.nod_lengths, "nod", 0, "length")
         clear = pause.start + dice.between(*station.lift_lengths, "nod", 0, "lift")
-        yield -dice.between(0.6, 1.0, "nod", 0, "depth"), ((begun, nodded), (pause.start, clear))
+        nod = -dice.between(0.6, 1.0, "nod", 0, "depth"), ((begun, nodded), (pause.start, clear))
+        if memory is not None:
+            memory.note(life.dice, "nods", pause.start, (clear, nod))
+        yield nod
 
 
 def _poses(life: Living, behaviour: str, gaps: tuple[float, float], lengths: tuple[float, float]) -> Steps:
     """Movements between poses in -1..1: left, middle and right thirds, never the same twice running."""
     dice = life.dice
     found = tuple(
-        events(
-            life.start,
-            life.end,
+        going_on(
+            life,
+            behaviour,
             lambda index: dice.between(*gaps, behaviour, index, "gap"),
             lambda index: dice.between(*lengths, behaviour, index, "length"),
         )
     )
-    third, places = 1, []
-    for index in range(len(found)):
+    third, places = (life.memory.state(dice, f"{behaviour} third") if life.memory else None) or 0, {}
+    third = 1 if not found or not found[0].index else third
+    for event in found:
+        index = event.index
+        if life.memory is not None:
+            life.memory.note(dice, f"{behaviour} third", event.start, third)
         third = (third + (1 if dice.chance(behaviour, index, "side") < 0.5 else 2)) % 3
-        places.append(0.75 * (third - 1) + dice.between(-0.25, 0.25, behaviour, index, "pose"))
+        places[index] = 0.75 * (third - 1) + dice.between(-0.25, 0.25, behaviour, index, "pose")
     return steps(found, places.__getitem__)
 
 
 def _wander(life: Living, behaviour: str, spacing: float) -> Wander:
     """Noise in -1..1 from rest at the life's start; its knots are hashed one by one."""
     count = ceil((life.end - life.start) / spacing) + 2
+    first = int((life.since - life.start) / spacing)
     dice = life.dice
-    knots = [0.0] + [dice.between(-1.0, 1.0, behaviour, index, f"{spacing}") for index in range(1, count)]
-    return Wander(life.start, spacing, np.array(knots))
+    knots = [dice.between(-1.0, 1.0, behaviour, index, f"{spacing}") if index else 0.0 for index in range(first, count)]
+    return Wander(life.start + first * spacing, spacing, np.array(knots))

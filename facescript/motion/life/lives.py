@@ -19,8 +19,9 @@ from facescript.motion.life.brows import brows
 from facescript.motion.life.ears import ears
 from facescript.motion.life.eyes import eyes
 from facescript.motion.life.head import head, nods
+from facescript.motion.life.memory import Memory
 from facescript.motion.life.model import Behaviour, Living, Moved
-from facescript.motion.life.occasions import Occasions
+from facescript.motion.life.occasions import FIRST, Occasions
 from facescript.motion.life.prosody import beats, melody
 from facescript.performance.curves import Ramp
 from facescript.schedule.score import TimedAct, TimedLine
@@ -57,8 +58,8 @@ class Spell:
 class Lives:
     """What the lives of one face in one scene ask."""
 
-    def __init__(self, spells: Sequence[Spell]) -> None:
-        self.spells = tuple(spells)
+    def __init__(self, spells: Sequence[Spell], occasions: Occasions) -> None:
+        self.spells, self.occasions = tuple(spells), occasions
 
     def at(self, times: Floats) -> Drive:
         """What they ask at `times` (sorted): array[row, time]; rows `gaze.*` move the line of sight."""
@@ -78,12 +79,17 @@ def lives(
     end: float,
     dice: Dice,
     channels: tuple[str, ...],
+    memory: Memory | None = None,
 ) -> Lives:
     """The lives of a face in a scene from `start` to `end` seconds: `first`, and what its `life` statements say after.
 
-    `acts` and `lines` are the face's own in the scene, in time order; `channels` are what it can move.
+    `acts` and `lines` are the face's own in the scene, in time order; `channels` are what it can move. With a `memory`
+    they are those since it began, and so is what comes of them.
     """
-    return Lives(tuple(_spells(first, acts, lines, start, end, dice, channels)))
+    occasions = Occasions(acts, lines, memory.earlier if memory else FIRST)
+    if memory is not None:
+        memory.begin(occasions)
+    return Lives(tuple(_spells(first, acts, lines, start, end, dice, channels, occasions, memory)), occasions)
 
 
 def _spells(
@@ -94,19 +100,20 @@ def _spells(
     end: float,
     dice: Dice,
     channels: tuple[str, ...],
+    occasions: Occasions,
+    memory: Memory | None,
 ) -> Iterator[Spell]:
-    occasions = Occasions(acts, lines)
     changes = [(act.start, number(act.verb.over), act.verb.life) for act in acts if isinstance(act.verb, SetLife)]
     changes = [(start, 0.0, first), *changes]
-    named: Counter[str] = Counter()
+    named = Counter(memory.earlier.lived) if memory else Counter()
     for (begun, over, life), (ended, fade, _) in pairwise([*changes, (end, 0.0, first)]):
         own = dice.at(life.name, named[life.name])
         named[life.name] += 1
-        if ended > begun:
+        gone = ended + max(fade, QUIETING)
+        if ended > begun and (memory is None or gone > memory.since):
             heard = _heard(lines, begun, ended)
-            living = Living(life.name, _knobs(life, own), begun, ended, own, heard, occasions, channels)
+            living = Living(life.name, _knobs(life, own), begun, ended, own, heard, occasions, channels, memory)
             moves = tuple(_by(behaviour, item) for behaviour in BEHAVIOURS for item in behaviour(living))
-            gone = ended + max(fade, QUIETING)
             yield Spell(life.name, begun, gone, (Ramp(begun, begun + over), Ramp(ended, gone)), moves)
 
 

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from math import inf
+from typing import TypeVar
 
 import numpy as np
 
-from facescript.motion.dice import Dice, Event
+from facescript.motion.dice import Dice, Event, Waits, events
 from facescript.motion.drivers import ROWS, Floats
 from facescript.motion.life.fixations import Fixations
+from facescript.motion.life.memory import Memory
 from facescript.motion.life.occasions import Occasions
 from facescript.motion.life.stations import ANNOUNCER, STATIONS, Station
 from facescript.performance.curves import Curve, Pulses, Steps
@@ -17,13 +20,15 @@ from facescript.performance.easing import Easing, smooth
 from facescript.schedule.score import TimedLine
 from facescript.speech.sound.accents import heard
 
+T = TypeVar("T")
+
 
 @dataclass(frozen=True, slots=True)
 class Living:
     """One life of one face from `start` to `end` (seconds from the film's start) in a scene.
 
     `knobs` are in base units (`ir.acts.Life`), `lines` are the face's own about that time, `occasions` what
-    lives heed of the whole scene, `channels` what the face can move.
+    lives heed of the whole scene, `channels` what the face can move. In a run it goes on from its `memory`.
     """
 
     preset: str
@@ -34,6 +39,12 @@ class Living:
     lines: Sequence[TimedLine]
     occasions: Occasions
     channels: tuple[str, ...]
+    memory: Memory | None = None
+
+    @property
+    def since(self) -> float:
+        """From when on it is asked what it does."""
+        return self.start if self.memory is None else max(self.start, self.memory.since)
 
     def knob(self, name: str) -> float:
         """A knob, 0 where the life has none of it."""
@@ -82,6 +93,15 @@ def steps(found: Iterable[Event], pose: Callable[[int], float], ease: Easing = s
     return Steps(starts, lengths, np.array([pose(event.index) for event in kept]), ease)
 
 
+def going_on(life: Living, behaviour: str, gaps: Waits, lengths: Waits) -> Iterator[Event]:
+    """The events of a life, each after a gap from the end of the one before; in a run from the last that was before."""
+    last = life.memory.state(life.dice, behaviour) if life.memory else None
+    for event in events(life.start, life.end, gaps, lengths, last):
+        if life.memory is not None:
+            life.memory.note(life.dice, behaviour, event.start, event)
+        yield event
+
+
 def _columns(found: Sequence[Event]) -> tuple[Floats, Floats]:
     starts = np.array([event.start for event in found])
     return starts, np.array([event.end - event.start for event in found])
@@ -103,6 +123,15 @@ def said(life: Living) -> Iterator[tuple[str, TimedLine]]:
     before. So draws stay as they are when the script changes elsewhere."""
     for line, (text, before) in life.occasions.lines(life.start, life.end):
         yield f"{text} {before}", line
+
+
+def remember(life: Living, behaviour: str, line: str, found: list[T]) -> None:
+    """What a behaviour `found` in the lines before one of them: in a run the last of it, where they are told of no
+    more."""
+    if life.memory is not None:
+        if not found:
+            found += life.memory.state(life.dice, f"{behaviour} {line}") or ()
+        life.memory.note(life.dice, f"{behaviour} {line}", -inf, tuple(found[-1:]))
 
 
 def accents(life: Living, name: str, line: TimedLine) -> tuple[Accented, ...]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import zip_longest
 from zlib import crc32
 
@@ -57,14 +57,30 @@ class Shift:
     place: Place
 
 
+@dataclass(frozen=True, slots=True)
+class Earlier:
+    """What a face did in its scene before the acts and lines that are told of: how often it said which text, made which
+    shift of gaze and had which life, and the turn that it was in."""
+
+    said: Counter[str] = field(default_factory=Counter)
+    shifted: Counter[str] = field(default_factory=Counter)
+    lived: Counter[str] = field(default_factory=Counter)
+    turn: Turn | None = None
+
+
+FIRST = Earlier()
+"""Nothing was before."""
+
+
 class Occasions:
     """What the lives of one face in one scene heed; every question is about a part of the scene (seconds)."""
 
-    def __init__(self, acts: Sequence[TimedAct], lines: Sequence[TimedLine]) -> None:
-        self._named = named = tuple(_named(lines))
-        self._turns = tuple(_turns(named))
+    def __init__(self, acts: Sequence[TimedAct], lines: Sequence[TimedLine], earlier: Earlier = FIRST) -> None:
+        self._earlier = earlier.turn
+        self._named = named = tuple(_named(lines, earlier.said))
+        self._turns = tuple(_turns(named, earlier.turn))
         self._pauses = tuple(_pauses(named))
-        self._shifts = sorted(_shifts(acts), key=lambda shift: shift.start)
+        self._shifts = sorted(_shifts(acts, earlier.shifted), key=lambda shift: shift.start)
         self.moving = Stretches((plan.starts, max(plan.landed, plan.head_done)) for act in acts for plan in act.plan)
         """When eyes or head go where the script sends them."""
         self.busy = Stretches((*self.moving, *_taken(acts)))
@@ -79,6 +95,12 @@ class Occasions:
         low = bisect_right(self._turns, start, key=lambda turn: turn.end)
         return self._turns[low : bisect_left(self._turns, end, key=lambda turn: turn.start)]
 
+    def turn_before(self, time: float) -> Turn | None:
+        """The turn that a line from a time on might go on with, as far as it came before that."""
+        past = [(line, place) for line, place in self._named if line.start < time]
+        turns = list(_turns(past, self._earlier))
+        return turns[-1] if turns else None
+
     def pauses(self, start: float, end: float) -> Sequence[Pause]:
         """The pauses that begin in a part."""
         low, high = (bisect_left(self._pauses, time, key=lambda pause: pause.start) for time in (start, end))
@@ -90,17 +112,22 @@ class Occasions:
         return self._shifts[low:high]
 
 
-def _named(lines: Iterable[TimedLine]) -> Iterator[tuple[TimedLine, Place]]:
-    """Every line with its text and how often that was said before; a recording without words by its sound."""
-    said: Counter[str] = Counter()
+def _named(lines: Iterable[TimedLine], before: Counter[str]) -> Iterator[tuple[TimedLine, Place]]:
+    """Every line with its text and how often that was said before."""
+    said = Counter(before)
     for line in lines:
-        text = " ".join(word.text for word in line.spoken.words) or f"{crc32(line.spoken.pcm):x}"
+        text = text_of(line)
         yield line, (text, said[text])
         said[text] += 1
 
 
-def _turns(named: Iterable[tuple[TimedLine, Place]]) -> Iterator[Turn]:
-    turn: Turn | None = None
+def text_of(line: TimedLine) -> str:
+    """What a line is called in draws; a recording without words by its sound."""
+    return " ".join(word.text for word in line.spoken.words) or f"{crc32(line.spoken.pcm):x}"
+
+
+def _turns(named: Iterable[tuple[TimedLine, Place]], turn: Turn | None) -> Iterator[Turn]:
+    """The turns of the lines, the first of which may go on with one."""
     for line, place in named:
         if turn is not None and line.start - turn.end < TURN_GAP:
             turn = Turn(turn.start, max(turn.end, line.end), turn.place)
@@ -146,13 +173,18 @@ def _sounding(spoken: Spoken) -> Sequence[tuple[float, float]]:
     return found or [(word.start, word.end) for word in spoken.words] or stretches(spoken)
 
 
-def _shifts(acts: Iterable[TimedAct]) -> Iterator[Shift]:
+def shift_name(act: TimedAct) -> str:
+    """What an act of gaze is called in draws."""
+    return f"{type(act.verb).__name__} {act.plan[0].aim!r}"
+
+
+def _shifts(acts: Iterable[TimedAct], before: Counter[str]) -> Iterator[Shift]:
     """The shifts of gaze that take time: a jump `over 0ms` is none."""
-    done: Counter[str] = Counter()
+    done = Counter(before)
     for act in acts:
         if not act.plan:
             continue
-        name = f"{type(act.verb).__name__} {act.plan[0].aim!r}"
+        name = shift_name(act)
         for number, plan in enumerate(act.plan):
             if not plan.instant:
                 yield Shift(plan.starts, plan.amplitude, (name, done[name], number))

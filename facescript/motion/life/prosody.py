@@ -8,7 +8,7 @@ import numpy as np
 
 from facescript.motion.dice import Event
 from facescript.motion.drivers import Floats
-from facescript.motion.life.model import Accented, Living, Moved, accents, moved, pulses, said
+from facescript.motion.life.model import Accented, Living, Moved, accents, moved, pulses, remember, said
 from facescript.performance.curves import Spline
 from facescript.performance.easing import through
 from facescript.schedule.score import TimedLine
@@ -54,6 +54,9 @@ SLOWNESS = 0.08
 SPACING = 0.1
 """Seconds between the knots of the curve that is left."""
 
+LINGERS = 1.0
+"""Seconds after a line in which something of its way may be left."""
+
 RISE = 3
 """Knots after the start of a life from which the head moves: it sets off from rest."""
 
@@ -65,6 +68,7 @@ def beats(life: Living) -> Iterable[Moved]:
         return
     found: list[tuple[Event, float]] = []
     for name, line in said(life):
+        remember(life, "beats", name, found)
         for event, depth in _beats(life, accents(life, name, line)):
             if found and event.start < found[-1][0].end:
                 event, depth = max(found.pop(), (event, depth), key=lambda one: one[1])
@@ -90,7 +94,7 @@ def _beats(life: Living, accented: Iterable[Accented]) -> Iterator[tuple[Event, 
 def melody(life: Living) -> Iterable[Moved]:
     """The head goes with F0 and energy while the face speaks (knob `sway`); the announcer's does not."""
     size = life.knob("sway")
-    sounding = [(name, line) for name, line in said(life) if line.spoken.sound]
+    sounding = [(name, line) for name, line in said(life) if line.spoken.sound and line.end > life.since - LINGERS]
     if size <= 0.0 or life.announcing or not sounding:
         return
     first, last = (round(time / SPACING) for time in (sounding[0][1].start - EDGE, sounding[-1][1].end + EDGE))

@@ -53,10 +53,12 @@ def reading(life: Living, reach: float, busy: Stretches) -> Iterator[Fixation]:
 
 def _page(life: Living, reach: float) -> Iterator[tuple[float, Offset]]:
     """When each fixation's saccade sets off and where it goes, for ever."""
-    dice, time, row, number = life.dice, life.start, 0, 0
-    edge = WIDTH * reach
-    here, yaw = TARGET, edge
+    dice, edge, memory = life.dice, WIDTH * reach, life.memory
+    first = life.start, 0, 0, TARGET, edge
+    time, row, number, here, yaw = (memory.state(dice, "page") if memory else None) or first
     while True:
+        if memory is not None:
+            memory.note(dice, "page", time, (time, row, number, here, yaw))
         there = yaw, reach * HEIGHT * (1.0 - 2.0 * row / (ROWS - 1))
         yield time, there
         time += jump_time(here, there) + max(BRIEFEST, dice.log_normal(*STAY, "reading", number, "stay"))

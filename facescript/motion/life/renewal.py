@@ -11,9 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
-from math import erfc, exp, log, log1p, pi, sqrt
+from math import erfc, exp, inf, log, log1p, pi, sqrt
 
 from facescript.motion.dice import Dice, Event
+from facescript.motion.life.memory import Memory
 from facescript.motion.life.stretches import NEVER, Stretches
 
 BLOCK = 16
@@ -73,27 +74,38 @@ class Span:
 
 def renewals(
     dice: Dice, behaviour: str, wait: Wait, span: Span, lengths: Callable[[int], float],
-    closed: Stretches = NEVER, least: float = 0.0
+    closed: Stretches = NEVER, least: float = 0.0, memory: Memory | None = None
 ) -> Iterator[Event]:  # fmt: skip
     """The events of a process: after a `wait` from the end of one the next begins and takes `lengths(number)`.
 
     None begins in a stretch that is `closed`, nor when it would begin less than `least` seconds later; one that runs
     into it ends there. After it the wait begins anew. That rule knows no drawn length, so none is made rarer by it.
+    With a `memory` it goes on from there, the last events before again.
     """
-    rest = span.start - span.waited
-    for number, time in _candidates(dice, behaviour, wait.ceiling, span):
+    rest, since = span.start - span.waited, -inf
+    known = memory.state(dice, behaviour) if memory else None
+    if memory is not None and known is not None:
+        past, rest = known
+        since = memory.since
+    found = memory.renewing(dice, behaviour, rest, closed) if memory else []
+    if known is not None:
+        found += past
+        yield from past
+    for number, time in _candidates(dice, behaviour, wait.ceiling, span, since):
         begun = max(rest, closed.last_end(time))
         shut = closed.next(time)[0]
         if time < begun or time + least > shut:
             continue
         if dice.chance(behaviour, number, "kept") * wait.ceiling < wait.hazard(time - begun):
             rest = min(time + lengths(number), shut)
-            yield Event(number, time, rest)
+            found.append(Event(number, time, rest))
+            yield found[-1]
 
 
-def _candidates(dice: Dice, behaviour: str, rate: float, span: Span) -> Iterator[tuple[int, float]]:
-    """Number and time of every candidate: `rate` a second, a Poisson process."""
-    block, length = 0, BLOCK / rate
+def _candidates(dice: Dice, behaviour: str, rate: float, span: Span, since: float) -> Iterator[tuple[int, float]]:
+    """Number and time of every candidate from `since` on: `rate` a second, a Poisson process."""
+    length = BLOCK / rate
+    block = int(max(0.0, since - span.start) / length)
     while block * length < span.end - span.start:
         offset, number = 0.0, block * NUMBERS
         while True:
@@ -101,6 +113,7 @@ def _candidates(dice: Dice, behaviour: str, rate: float, span: Span) -> Iterator
             time = span.start + block * length + offset
             if offset >= length or time >= span.end:
                 break
-            yield number, time
+            if time >= since:
+                yield number, time
             number += 1
         block += 1

@@ -37,10 +37,17 @@ def microsaccades(life: Living, closed: Stretches) -> Iterator[Fixation]:
         return
     wait = log_normal_wait(max(60.0 / rate - LENGTH, SHORTEST), VARIATION)
     span = Span(life.start, life.end + BEYOND)
-    here = TARGET
-    for item, after in pairwise(renewals(life.dice, "saccades", wait, span, lambda _: LENGTH, closed, SHORTEST)):
+    here, memory = TARGET, life.memory
+    first, here = before = (memory.state(life.dice, "drift") if memory else None) or (0, TARGET)
+    found = renewals(life.dice, "saccades", wait, span, lambda _: LENGTH, closed, SHORTEST, memory)
+    for item, after in pairwise(found):
         if item.start >= life.end:
             return
+        if item.index < first:
+            continue
+        if memory is not None:
+            memory.note(life.dice, "drift", item.start, before)
+            before = item.index, here
         landed = _back(life, item.index, here)
         here = _drifted(life, item.index, landed, after.start - item.start)
         yield Fixation(item.start, landed, here, after.start)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from facescript.ir.acts import Add, Drop, Gesture, Glance, Look, Scan, SetBackground, SetLife, Show, Verb, View
+from facescript.ir.acts import Add, Drop, Gesture, Glance, Look, Perform, Scan, SetBackground, SetLife, Show, Verb, View
 from facescript.preview.dragging.allowed import Said
 from facescript.preview.dragging.amounts import Change, Stuck, number, time
 from facescript.schedule.score import FOREVER, TimedAct
@@ -13,7 +13,7 @@ SHORTEST = 0.01
 
 def modifier_of(verb: Verb) -> str:
     """The modifier that says how long an act lasts; "" for what has no length of its own."""
-    if isinstance(verb, (Look, Glance, Show, Add, Gesture)):
+    if isinstance(verb, (Look, Glance, Show, Add, Gesture, Perform)):
         return "for"
     if isinstance(verb, (Drop, SetBackground, SetLife, View)):
         return "over"
@@ -27,7 +27,7 @@ def is_open(act: TimedAct) -> bool:
 
 def end_of(act: TimedAct) -> float:
     """When an act is over: when it lets go, or has changed what it changes."""
-    if isinstance(act.verb, (Look, Glance, Show, Add)) and act.released < FOREVER:
+    if isinstance(act.verb, (Look, Glance, Show, Add, Perform)) and act.released < FOREVER:
         return act.released
     return act.settled
 

@@ -22,16 +22,22 @@ export function wire(address) {
       const message = typeof data === "string" ? JSON.parse(data) : withNumbers(data);
       emit(message.kind, message);
     };
-    socket.onclose = () => {
-      emit("state", { state: "lost" });
-      setTimeout(open, pause);
-      pause = Math.min(2 * pause, SLOWEST);
-    };
+    socket.onclose = lost;
+  }
+
+  function lost() {
+    emit("state", { state: "lost" });
+    setTimeout(open, pause);
+    pause = Math.min(2 * pause, SLOWEST);
   }
 
   return {
     open,
-    drop() { socket.close(); },
+    drop() {
+      socket.onclose = socket.onmessage = null;  // a server that is gone does not answer that it closes
+      socket.close();
+      lost();
+    },
     on(kind, act) { listeners.set(kind, [...listeners.get(kind) || [], act]); },
     tell: emit,
     say(kind, values = {}) {

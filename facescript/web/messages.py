@@ -29,11 +29,6 @@ def is_text(message: bytes) -> bool:
     return message[:1] == b"{"
 
 
-def is_draft(message: Message) -> bool:
-    """Whether a message asks what a drag would do: of several, the latest counts."""
-    return message["kind"] == "drag" and not message["done"]
-
-
 def head_of(message: bytes) -> Message:
     """What a message says besides its numbers."""
     first, length = (0, len(message)) if is_text(message) else (4, int.from_bytes(message[:4], "little"))

@@ -1,0 +1,1 @@
+"""Sound from a room to the phrases that a script waits for."""

@@ -1,0 +1,1 @@
+"""Who is seen: sightings to persons that faces look at, follow, and let go of."""
