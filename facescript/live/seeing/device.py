@@ -42,7 +42,8 @@ def camera(number: int, size: tuple[int, int]) -> Device:
     device.set(cv2.CAP_PROP_FRAME_HEIGHT, size[1])
     device.set(cv2.CAP_PROP_FPS, FPS)
     device.set(cv2.CAP_PROP_BUFFERSIZE, 1)
-    return device
+    found: Device = device
+    return found
 
 
 def _hush() -> None:
