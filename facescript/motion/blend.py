@@ -72,11 +72,11 @@ def speak_over(shown: Floats, spoken: Floats, activity: Floats, pressed: Floats)
     return shown * (1.0 - activity) + spoken * wider * narrower * activity
 
 
-def giving_way(gesture: Floats, speed: Floats) -> Floats:
-    """Rule 6: what a gesture asks of the head, array[axis, n], while gaze turns it at `speed` (deg/s, array[n])."""
+def gesture_left(speed: Floats) -> Floats:
+    """Rule 6: how much is left of a gesture of the head while gaze turns it at `speed` (deg/s): array[n], 0..1."""
     haste = np.square(speed / HEAD_CEILING)
-    smaller: Floats = gesture * (1.0 - YIELDING * 2.0 * haste / (1.0 + haste))
-    return smaller
+    left: Floats = 1.0 - YIELDING * 2.0 * haste / (1.0 + haste)
+    return left
 
 
 def turn_within(gaze: Floats, added: Floats, limit: float) -> Floats:

@@ -9,7 +9,7 @@ import numpy as np
 
 from facescript.ir.acts import SetLife
 from facescript.ir.play import Face
-from facescript.motion.blend import giving_way
+from facescript.motion.blend import gesture_left
 from facescript.motion.compose import Asked, compose, head_pose
 from facescript.motion.dice import Dice
 from facescript.motion.drivers import ROWS, Floats, rows
@@ -110,7 +110,7 @@ class FaceMotion:
                 life[:, window] = scene.lives.at(times[window])
         sight, head = self.gaze.sight(times), self.gaze.head(times)
         if gestures[_TURNS].any():
-            gestures[_TURNS] = giving_way(gestures[_TURNS], self.gaze.turning(times, head))
+            gestures[_TURNS] *= gesture_left(self.gaze.turning(times, head))
         asked = Asked(expression, gestures, life, sight, head, *self.mouth.sample(times))
         return self._with_takes(asked, times)
 

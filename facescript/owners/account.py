@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from facescript.ir.play import Face
-from facescript.motion.blend import ear_limit, eyes_within, lid_drawn, lid_limit, lid_opening, soft_limit
+from facescript.motion.blend import ear_limit, eyes_within, gesture_left, lid_drawn, lid_limit, lid_opening, soft_limit
 from facescript.motion.compose import (
     Asked,
     blinks_drawn,
@@ -132,7 +132,10 @@ class Accounts:
             turned = float(moment.asked.head[0, axis])
             added += turned
         yield from self._taken(HEAD, turned, moment)
-        yield Step("and the sum of what is added", added, self._parts(row, moment))
+        at = np.array([moment.time])
+        left = gesture_left(self._motion.gaze.turning(at, self._motion.gaze.head(at)))
+        parts = sources.asked(self._motion.scene(moment.time), row, moment.time, float(left[0]))
+        yield Step("and the sum of what is added", added, parts)
         yield Step("within the head's reach", float(moment.head[0, axis]))
 
     def _sight(self, channel: Channel, moment: Moment) -> Iterator[Step]:

@@ -15,12 +15,12 @@ from facescript.owners.model import Part, Source, statement
 from facescript.schedule.phrases import percent
 
 
-def asked(scene: SceneMotion | None, row: int, time: float) -> tuple[Part, ...]:
+def asked(scene: SceneMotion | None, row: int, time: float, left: float = 1.0) -> tuple[Part, ...]:
     """All parts of a driver (a row of a drive) at `time`, those that are 0 left out; their values add up to what the
-    sources ask. `scene` is the one that plays."""
+    sources ask. `scene` is the one that plays, `left` how much gaze leaves of gestures."""
     if scene is None:
         return ()
-    return (*shown(scene, row, time), *gestured(scene.gestures, row, time), *lived(scene.lives, row, time))
+    return (*shown(scene, row, time), *gestured(scene.gestures, row, time, left), *lived(scene.lives, row, time))
 
 
 def shown(scene: SceneMotion, row: int, time: float) -> tuple[Part, ...]:
@@ -72,15 +72,17 @@ def base(scene: SceneMotion | None, row: int, time: float) -> Source | None:
     return next((statement(layer.act) for layer in owners), None)
 
 
-def gestured(gestures: Gestures, row: int, time: float) -> Iterator[Part]:
-    """The gestures that are under way; their share is of the far pose, beyond it and back again where it swings."""
+def gestured(gestures: Gestures, row: int, time: float, left: float) -> Iterator[Part]:
+    """The gestures that are under way; their share is of the far pose, beyond it and back again where it swings. Gaze,
+    which turns the head, leaves a part of them."""
     for item in gestures.movements:
         if item.start < time < item.end and row in item.rows:
             full = float(item.far[item.rows == row][0])
             share = float(item.profile((np.array([time]) - item.start) / (item.end - item.start))[0])
             done = percent((time - item.start) / (item.end - item.start))
+            smaller = f", {left:.0%} of it while gaze turns the head" if left < 0.995 else ""
             if share:
-                yield Part(statement(item.act), full, share, f"{done} of its time is over")
+                yield Part(statement(item.act), full, share * left, f"{done} of its time is over{smaller}")
 
 
 def lived(lives: Lives, row: int, time: float) -> Iterator[Part]:
