@@ -27,10 +27,17 @@ class Callers:
         return self._knows(request) if self._token else _local(request)
 
     def _knows(self, request: Request) -> bool:
-        asked = dict(parse_qsl(request.path.partition("?")[2], max_num_fields=10)).get("token", "")
         said = request.headers.get_all("Authorization")
-        words = [asked, *(one.removeprefix("Bearer ") for one in said if one.startswith("Bearer "))]
-        return any(compare_digest(word.encode(), self._token) for word in words)
+        words = [*_asked(request.path), *(one.removeprefix("Bearer ") for one in said if one.startswith("Bearer "))]
+        return any(compare_digest(word.encode("utf-8", "surrogateescape"), self._token) for word in words)
+
+
+def _asked(path: str) -> list[str]:
+    """The tokens in an address; none where it has more fields than anybody asks with."""
+    try:
+        return [value for name, value in parse_qsl(path.partition("?")[2], max_num_fields=10) if name == "token"]
+    except ValueError:
+        return []
 
 
 def _local(request: Request) -> bool:

@@ -11,7 +11,6 @@ from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from http import HTTPStatus
 from typing import Any
-from urllib.parse import urlsplit
 
 from websockets.asyncio.server import Server, ServerConnection, serve
 from websockets.datastructures import Headers
@@ -122,7 +121,7 @@ class Port:
     def _ask(self, connection: ServerConnection, request: Request) -> Response | None:
         if not self._callers.welcome(request):
             return refused(HTTPStatus.FORBIDDEN)
-        path = urlsplit(request.path).path
+        path = request.path.partition("?")[0]
         if path in self._sockets and "Upgrade" in request.headers:
             full = self._server is None or len(self._server.connections) >= MOST
             return refused(HTTPStatus.SERVICE_UNAVAILABLE) if full else None
@@ -131,7 +130,7 @@ class Port:
 
     async def _receive(self, connection: ServerConnection) -> None:
         assert connection.request is not None
-        await self._sockets[urlsplit(connection.request.path).path](connection)
+        await self._sockets[connection.request.path.partition("?")[0]](connection)
 
 
 class Doorway(ServerConnection):

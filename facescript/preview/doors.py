@@ -49,9 +49,9 @@ class Doors:
         """Where beneath the page a request goes; None for a stranger."""
         if not self._key:
             return None if is_stranger(request, self._names) else request.path
-        _, key, *rest = request.path.split("/", 2)
-        known = rest and compare_digest(key.encode(), self._key.encode())
-        return f"/{rest[0]}" if known else None
+        key, below, rest = request.path.removeprefix("/").partition("/")
+        known = below and compare_digest(key.encode("utf-8", "surrogateescape"), self._key.encode())
+        return f"/{rest}" if known else None
 
     def answer(self, way: str, request: Request) -> Response:
         """The answer to a request that is for no WebSocket."""

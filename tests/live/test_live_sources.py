@@ -162,6 +162,8 @@ LIES = {
     b"POST /heard HTTP/1.1\r\nHost: HOST\r\nContent-Length: 99999999\r\n\r\nno": b"413",
     b"POST /heard HTTP/1.1\r\n" + b"a: b\r\n" * 3000: b"400",
     b"POST heard\r\n\r\n": b"400",
+    b"GET //[ HTTP/1.1\r\nHost: HOST\r\n\r\n": b"404",
+    b"GET * HTTP/1.1\r\nHost: HOST\r\n\r\n": b"404",
 }
 
 
@@ -199,7 +201,11 @@ async def test_with_a_token_only_who_knows_it_comes_in() -> None:
             await client.send("heard no")
             assert len(await listening.told(1)) == 1
         http = int(listening.said[1].rpartition(":")[2])
-        assert (await asyncio.to_thread(post, http, "/heard", "no"))[0] == 403
+        for wrong in ("", "?token=%ff", "?token=open%20sesam", "?" + "token=x&" * 11):
+            assert (await asyncio.to_thread(post, http, f"/heard{wrong}", "no"))[0] == 403
+        odd = b"GET /status?" + b"token=x&" * 11 + b" HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer \xff\r\n\r\n"
+        with raw(http, odd) as peer:
+            assert (await asyncio.to_thread(peer.recv, 100)).startswith(b"HTTP/1.1 403")
         assert (await asyncio.to_thread(post, http, "/heard", "no", Authorization="Bearer open sesame"))[0] == 202
 
 

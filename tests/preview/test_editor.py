@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import socket
 import subprocess
 import sys
 import urllib.error
@@ -39,6 +40,11 @@ def test_its_page_has_a_key_and_it_ends_with_its_editor(running: subprocess.Pope
     for wrong in ("", key, f"{key}x/", "app.js", "live"):
         with pytest.raises(urllib.error.HTTPError, match="403"):
             urllib.request.urlopen(f"{origin}/{wrong}")
+    host, port = origin.removeprefix("http://").split(":")
+    for odd in (b"*", b"nothing", b"//["):
+        with socket.create_connection((host, int(port)), 10) as rough:
+            rough.sendall(b"GET " + odd + b" HTTP/1.1\r\nHost: x\r\n\r\n")
+            assert rough.recv(64).startswith(b"HTTP/1.1 403")
     running.stdin.close()
     assert running.wait(60) == 0
     running.stdout.close()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 from http import HTTPStatus
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
 from websockets.http11 import Request, Response
 
@@ -46,7 +46,7 @@ class Http:
         """202 where it is taken, else 400 and why not."""
         if self._teller is None:
             return refused(HTTPStatus.SERVICE_UNAVAILABLE)
-        _, kind, *rest = urlsplit(request.path).path.split("/", 2)
+        _, kind, *rest = request.path.partition("?")[0].split("/", 2)
         if kind == "event":
             why = self._intake.take(self._teller, body)
         else:

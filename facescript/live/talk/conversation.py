@@ -158,7 +158,7 @@ class Conversation:
         return lambda: self._ears.remove(told)
 
     def unread(self) -> None:
-        """A program does not read what it is told, and is told no more for now."""
+        """A program does not read what it is told: an answer to it was dropped."""
         self._counts["answers dropped"] += 1
 
     def _refused(self, diagnostics: list[Diagnostic]) -> Refused:
