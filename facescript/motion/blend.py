@@ -8,12 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from facescript.motion.drivers import Floats
-from facescript.performance.limits import KNEE as KNEE
-from facescript.performance.limits import LID_FLOOR as LID_FLOOR
-from facescript.performance.limits import LID_GAIN as LID_GAIN
-from facescript.performance.limits import LID_TRAVEL as LID_TRAVEL
-from facescript.performance.limits import gaze_on_lid as gaze_on_lid
-from facescript.performance.limits import soft_limit as soft_limit
+from facescript.performance.limits import LID_FLOOR, gaze_on_lid, soft_limit
 from facescript.space.main_sequence import HEAD_CEILING
 from facescript.space.reach import EYE_DOWN, EYE_SIDE, EYE_UP
 

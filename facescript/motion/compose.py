@@ -13,7 +13,6 @@ from facescript.motion.blend import (
     eyes_within,
     lid_drawn,
     lid_limit,
-    soft_limit,
     speak_over,
     turn_within,
 )
@@ -22,6 +21,7 @@ from facescript.motion.gaze.track import eyes, midline
 from facescript.motion.recorded import Turned
 from facescript.performance.channels import INDEX, MOUTH, MUSCLES, SIDES
 from facescript.performance.easing import smooth
+from facescript.performance.limits import soft_limit
 from facescript.performance.performance import REST, Frames
 
 HEAD_LIMITS = (45.0, 30.0, 30.0)

@@ -13,10 +13,10 @@ from functools import lru_cache
 import numpy as np
 
 from facescript.ir.acts import Glance, Look, Perform, Scan, Take
-from facescript.motion.blend import KNEE
 from facescript.motion.drivers import BLINKS, ROWS, Drive, Floats, number
 from facescript.performance.channels import INDEX, MUSCLES, SIDES
 from facescript.performance.curves import Ramp
+from facescript.performance.limits import KNEE
 from facescript.performance.performance import REST
 from facescript.schedule.defaults import JOINED
 from facescript.schedule.score import TimedAct

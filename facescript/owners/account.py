@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from facescript.ir.play import Face
-from facescript.motion.blend import ear_limit, eyes_within, gesture_left, lid_drawn, lid_limit, lid_opening, soft_limit
+from facescript.motion.blend import ear_limit, eyes_within, gesture_left, lid_drawn, lid_limit, lid_opening
 from facescript.motion.compose import (
     Asked,
     blinks_drawn,
@@ -30,6 +30,7 @@ from facescript.owners import gaze, sources
 from facescript.owners.model import Account, Part, Source, Step, statement
 from facescript.owners.mouth import Lines, shapes
 from facescript.performance.channels import INDEX, POSE, SIDES, Channel
+from facescript.performance.limits import soft_limit
 from facescript.schedule.score import Score
 
 AXES = ("yaw", "pitch", "roll")

@@ -12,9 +12,9 @@ import numpy as np
 from performing import Floats, line, score
 
 from facescript.ir.acts import Life
-from facescript.motion.blend import gaze_on_lid
 from facescript.motion.perform import perform
 from facescript.performance.channels import NAMES
+from facescript.performance.limits import gaze_on_lid
 from facescript.schedule.score import TimedLine
 
 HOUR = 3600.0

@@ -12,7 +12,7 @@ from performing import Floats, channels, grid, line, performed
 
 from facescript.diagnostics.model import Diagnostics
 from facescript.ir.acts import Life
-from facescript.motion.blend import gaze_on_lid
+from facescript.performance.limits import gaze_on_lid
 from facescript.resolve.resolver import resolve
 from facescript.schedule.score import TimedLine
 from facescript.speech.model import WordTime

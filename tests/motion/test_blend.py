@@ -8,19 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from facescript.motion.blend import (
-    LID_FLOOR,
-    LID_GAIN,
-    LID_TRAVEL,
     add_within,
     blink_together,
     eyes_within,
-    gaze_on_lid,
     lid_drawn,
     lid_limit,
     lid_opening,
-    soft_limit,
     speak_over,
 )
+from facescript.performance.limits import LID_FLOOR, LID_GAIN, LID_TRAVEL, gaze_on_lid, soft_limit
 
 NUMBERS = st.floats(-5.0, 5.0)
 SHARES = st.floats(0.0, 1.0)

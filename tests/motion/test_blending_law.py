@@ -28,11 +28,11 @@ from scripted import (
     turns,
 )
 
-from facescript.motion.blend import KNEE, LID_FLOOR
 from facescript.motion.compose import BLINK_TURN, TURNS
 from facescript.motion.drivers import ROWS
 from facescript.motion.gaze.track import GazeTrack, eyes
 from facescript.performance.channels import INDEX, MOUTH, MUSCLES, SIDES
+from facescript.performance.limits import KNEE, LID_FLOOR
 from facescript.speech.mouth.mouthing import CLOSING
 from facescript.speech.mouth.shape import AXES
 

@@ -13,10 +13,10 @@ from performing import FROWN, SMILE, add, channels, gesture, grid, line, perform
 
 from facescript.ir.acts import Life, Voice
 from facescript.ir.play import Face
-from facescript.motion.blend import LID_GAIN, LID_TRAVEL
 from facescript.motion.mouth import MouthTrack
 from facescript.motion.perform import perform
 from facescript.performance.channels import NAMES
+from facescript.performance.limits import LID_GAIN, LID_TRAVEL
 from facescript.schedule.score import TimedAct, TimedScene
 
 LIVELY = Life(
